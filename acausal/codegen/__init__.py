@@ -1,0 +1,1 @@
+"""Code generation: from a CausalSystem to compiled CasADi functions."""

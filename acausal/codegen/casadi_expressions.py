@@ -1,0 +1,219 @@
+"""Expressions as CasADi SX: every node once, without Python recursion.
+
+Conditions. CasADi's SX has no `if`; `if_else(c, a, b)` becomes `(c ? a : 0) + (!c ? b : 0)`, where each half is
+one operation (OP_IF_ELSE_ZERO) that does not read the untaken branch, so a square root of a negative number or a
+division by zero in there does no harm (0 * NaN never occurs). Its *forward* derivative `(c ? a' : 0)` is as safe.
+Its *reverse* derivative is not: where two conditions share a subexpression `u = log(x)`, the sweep adds their
+masked seeds to 0 first and then multiplies by 1/x, which at x = 0 gives 0 * inf = NaN. Hence `FORWARD` and
+`jacobian`: everything here differentiates forward. `tests/codegen/test_casadi_expressions.py` shows both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+import casadi as ca
+from casadi import SX
+
+from acausal.errors import UnsupportedProblem, fail
+from acausal.symbolic.expressions.expr import EnumValue, Expr
+from acausal.symbolic.expressions.operators import RELATIONS
+
+FORWARD = {"ad_weight": 0.0}
+"""Options that make a CasADi Function differentiate forward only."""
+
+_Build = Callable[[list[SX]], SX]
+
+
+def jacobian(of: SX, by: SX) -> SX:
+    """The sparse exact Jacobian by forward differentiation with coloured columns."""
+    return ca.jacobian(of, by, {"helper_options": FORWARD})
+
+
+def _unary(code: int) -> _Build:
+    return lambda args: SX.unary(code, args[0])
+
+
+def _binary(code: int) -> _Build:
+    return lambda args: SX.binary(code, args[0], args[1])
+
+
+def _swapped(code: int) -> _Build:
+    return lambda args: SX.binary(code, args[1], args[0])
+
+
+def _chain(code: int) -> _Build:
+    def build(args: list[SX]) -> SX:
+        total = args[0]
+        for arg in args[1:]:
+            total = SX.binary(code, total, arg)
+        return total
+
+    return build
+
+
+def _select(args: list[SX]) -> SX:
+    condition, then, otherwise = args
+    taken = SX.binary(ca.OP_IF_ELSE_ZERO, condition, then)
+    other = SX.binary(ca.OP_IF_ELSE_ZERO, SX.unary(ca.OP_NOT, condition), otherwise)
+    return SX.binary(ca.OP_ADD, taken, other)
+
+
+def _log10(args: list[SX]) -> SX:
+    return ca.log10(args[0])
+
+
+def _truncated_quotient(args: list[SX]) -> SX:
+    """`div(a, b)`: the quotient rounded towards zero."""
+    quotient = SX.binary(ca.OP_DIV, args[0], args[1])
+    size = SX.unary(ca.OP_FLOOR, SX.unary(ca.OP_FABS, quotient))
+    return SX.binary(ca.OP_MUL, SX.unary(ca.OP_SIGN, quotient), size)
+
+
+def _mod(args: list[SX]) -> SX:
+    """`a - floor(a / b) b`, with the sign of `b`."""
+    quotient = SX.unary(ca.OP_FLOOR, SX.binary(ca.OP_DIV, args[0], args[1]))
+    return SX.binary(ca.OP_SUB, args[0], SX.binary(ca.OP_MUL, quotient, args[1]))
+
+
+def _rem(args: list[SX]) -> SX:
+    """`a - div(a, b) b`, with the sign of `a`."""
+    return SX.binary(ca.OP_SUB, args[0], SX.binary(ca.OP_MUL, _truncated_quotient(args), args[1]))
+
+
+CONSTRUCTORS: dict[str, _Build] = {
+    "add": _chain(ca.OP_ADD),
+    "mul": _chain(ca.OP_MUL),
+    "neg": _unary(ca.OP_NEG),
+    "div": _binary(ca.OP_DIV),
+    "pow": _binary(ca.OP_POW),
+    "if": _select,
+    "and": _chain(ca.OP_AND),
+    "or": _chain(ca.OP_OR),
+    "not": _unary(ca.OP_NOT),
+    "lt": _binary(ca.OP_LT),
+    "le": _binary(ca.OP_LE),
+    "gt": _swapped(ca.OP_LT),
+    "ge": _swapped(ca.OP_LE),
+    "eq": _binary(ca.OP_EQ),
+    "ne": _binary(ca.OP_NE),
+    "sin": _unary(ca.OP_SIN),
+    "cos": _unary(ca.OP_COS),
+    "tan": _unary(ca.OP_TAN),
+    "asin": _unary(ca.OP_ASIN),
+    "acos": _unary(ca.OP_ACOS),
+    "atan": _unary(ca.OP_ATAN),
+    "atan2": _binary(ca.OP_ATAN2),
+    "sinh": _unary(ca.OP_SINH),
+    "cosh": _unary(ca.OP_COSH),
+    "tanh": _unary(ca.OP_TANH),
+    "exp": _unary(ca.OP_EXP),
+    "log": _unary(ca.OP_LOG),
+    "log10": _log10,
+    "sqrt": _unary(ca.OP_SQRT),
+    "abs": _unary(ca.OP_FABS),
+    "sign": _unary(ca.OP_SIGN),
+    "min": _binary(ca.OP_FMIN),
+    "max": _binary(ca.OP_FMAX),
+    "floor": _unary(ca.OP_FLOOR),
+    "ceil": _unary(ca.OP_CEIL),
+    "integer": _unary(ca.OP_FLOOR),
+    "idiv": _truncated_quotient,
+    "mod": _mod,
+    "rem": _rem,
+}
+"""SX constructor of every operator that is a function of its arguments' values."""
+
+WRAPPERS = frozenset({"noEvent", "smooth"})
+"""Below these, relations are computed instead of being events."""
+
+
+class Converter:
+    """Converts expressions to SX over fixed leaves; the memos live as long as the converter.
+
+    `leaves` gives the SX of symbols, `der(x)` and anything else that is an input (more may be added between
+    calls, as blocks are solved). A relation in `modes` becomes its mode symbol, except below `noEvent` and
+    `smooth`, where it is computed: hence one memo for each of the two contexts.
+    """
+
+    def __init__(self, leaves: dict[Expr, SX], modes: Mapping[Expr, SX]) -> None:
+        self.leaves = leaves
+        self.modes = modes
+        self._memos: tuple[dict[Expr, SX], dict[Expr, SX]] = ({}, {})
+
+    def __call__(self, root: Expr, literal: bool = False) -> SX:
+        """The SX of `root`; `literal` computes relations even where they are events."""
+        result = self._known(root, literal)
+        return result if result is not None else self._convert(root, literal)
+
+    def _known(self, node: Expr, literal: bool) -> SX | None:
+        found = self.leaves.get(node)
+        if found is not None:
+            return found
+        if not literal and node.op in RELATIONS and node in self.modes:
+            return self.modes[node]
+        return self._memos[literal].get(node)
+
+    def _convert(self, root: Expr, root_literal: bool) -> SX:
+        known = self._known
+        stack: list[tuple[Expr, bool]] = [(root, root_literal)]
+        while stack:
+            node, literal = stack[-1]
+            if known(node, literal) is not None:
+                stack.pop()
+                continue
+            below = literal or node.op in WRAPPERS
+            args: list[SX] = []
+            pending = len(stack)
+            for arg in node.args:
+                value = known(arg, below)
+                if value is None:
+                    stack.append((arg, below))
+                else:
+                    args.append(value)
+            if len(stack) == pending:
+                stack.pop()
+                self._memos[literal][node] = _build(node, args)
+        result = known(root, root_literal)
+        assert result is not None
+        return result
+
+
+def to_casadi(
+    roots: Iterable[Expr], leaves: Mapping[Expr, SX], modes: Mapping[Expr, SX] | None = None
+) -> list[SX]:
+    """The SX of each root, sharing every node. Raises `UnsupportedProblem` for what has no numeric code."""
+    convert = Converter(dict(leaves), modes or {})
+    return [convert(root) for root in roots]
+
+
+def _build(node: Expr, args: list[SX]) -> SX:
+    op = node.op
+    constructor = CONSTRUCTORS.get(op)
+    if constructor is not None:
+        return constructor(args)
+    if op == "const":
+        return _constant(node)
+    if op in WRAPPERS:
+        return args[0]
+    raise _refuse(node)
+
+
+def _constant(node: Expr) -> SX:
+    value = node.value
+    if isinstance(value, EnumValue):
+        return SX(float(value.index))
+    if value is None or isinstance(value, str):
+        raise _refuse(node)
+    return SX(float(value))
+
+
+def _refuse(node: Expr) -> Exception:
+    what = {
+        "sym": f"'{node.value}' has no value here",
+        "call": f"the call of function '{node.value}' could not be inlined",
+        "const": f"the string {node.value!r} has no numeric value",
+    }
+    message = what.get(node.op, f"'{node.op}' cannot be turned into code")
+    names = (node.name,) if node.op in ("sym", "call") else ()
+    return fail(UnsupportedProblem, "codegen.no-code", message, names=names)

@@ -1,0 +1,60 @@
+"""Solves a linear system of up to three unknowns inside an expression graph, with pivoting."""
+
+from __future__ import annotations
+
+import casadi as ca
+from casadi import SX
+
+CANCELLED = 1e-13
+"""A pivot this small beside the terms it is the difference of means a singular matrix."""
+
+
+def solve_small(matrix: SX, right: SX) -> list[SX]:
+    """`matrix \\ right` by Gaussian elimination with row pivoting; not-a-number where the matrix is singular.
+
+    Singular means that a pivot is the difference of numbers that agree to 13 digits, which does not depend on
+    how the rows and columns are scaled.
+    """
+    n = int(right.shape[0])
+    rows = [[matrix[i, j] for j in range(n)] for i in range(n)]
+    sizes = [[ca.fabs(entry) for entry in row] for row in rows]
+    rhs = [right[i] for i in range(n)]
+    for k in range(n - 1):
+        for i in range(k + 1, n):
+            _swap_if_larger(rows, sizes, rhs, k, i)
+        for i in range(k + 1, n):
+            factor = rows[i][k] / rows[k][k]
+            for j in range(k + 1, n):
+                step = factor * rows[k][j]
+                sizes[i][j] = sizes[i][j] + ca.fabs(step)
+                rows[i][j] = rows[i][j] - step
+            rhs[i] = rhs[i] - factor * rhs[k]
+    return _back_substitute(rows, sizes, rhs)
+
+
+def _swap_if_larger(rows: list[list[SX]], sizes: list[list[SX]], rhs: list[SX], k: int, i: int) -> None:
+    """Exchanges rows `k` and `i` where the latter has the larger entry in column `k`."""
+    if rows[i][k].is_zero():
+        return
+    larger = ca.fabs(rows[i][k]) > ca.fabs(rows[k][k])
+    for table in (rows, sizes):
+        above, below = table[k], table[i]
+        table[k] = [ca.if_else(larger, b, a) for a, b in zip(above, below, strict=True)]
+        table[i] = [ca.if_else(larger, a, b) for a, b in zip(above, below, strict=True)]
+    rhs[k], rhs[i] = ca.if_else(larger, rhs[i], rhs[k]), ca.if_else(larger, rhs[k], rhs[i])
+
+
+def _back_substitute(rows: list[list[SX]], sizes: list[list[SX]], rhs: list[SX]) -> list[SX]:
+    n = len(rhs)
+    solution: list[SX] = []
+    for i in reversed(range(n)):
+        known = [rows[i][j] * solution[n - 1 - j] for j in range(i + 1, n)]
+        pivot = rows[i][i]
+        total = rhs[i]
+        for term in known:
+            total = total - term
+        value = total / pivot
+        if i > 0:
+            value = ca.if_else(ca.fabs(pivot) > CANCELLED * sizes[i][i], value, float("nan"))
+        solution.append(value)
+    return solution[::-1]

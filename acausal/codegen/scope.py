@@ -1,0 +1,89 @@
+"""A scope: expressions over one vector of known values, converted to SX without looking at what made them.
+
+Working over fresh symbols keeps the cost of every block proportional to the block, however long the chain of
+assignments before it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import casadi as ca
+from casadi import SX, Function
+
+from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
+from acausal.codegen.linear import solve_small
+from acausal.codegen.segments import expressions, reads
+from acausal.symbolic.causal import Block, BlockKind
+from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.operators import RELATIONS
+
+
+def column(parts: Sequence[SX]) -> SX:
+    """A dense column of scalars (also of none)."""
+    return ca.densify(ca.vertcat(*parts)) if parts else SX.zeros(0, 1)
+
+
+def split(vector: SX) -> list[SX]:
+    """The scalars of a column."""
+    return list(ca.vertsplit(vector)) if vector.shape[0] else []
+
+
+class Scope:
+    """Values that `convert` may use: one SX per leaf, in groups that become the inputs of a Function."""
+
+    def __init__(self, groups: Sequence[tuple[str, Sequence[Expr]]]) -> None:
+        self.inputs = [SX.sym(name, len(leaves)) for name, leaves in groups]
+        self.names = [name for name, _ in groups]
+        self._slots: dict[Expr, int] = {}
+        leaves: dict[Expr, SX] = {}
+        modes: dict[Expr, SX] = {}
+        for (_, group), symbol in zip(groups, self.inputs, strict=True):
+            for leaf, scalar in zip(group, split(symbol), strict=True):
+                (modes if leaf.op in RELATIONS else leaves)[leaf] = scalar
+                self._slots[leaf] = len(self._slots)
+        self.convert = Converter(leaves, modes)
+
+    def column(self, roots: Iterable[Expr], literal: bool = False) -> SX:
+        """The values of `roots` as one column."""
+        return column([self.convert(root, literal) for root in roots])
+
+    def run(self, blocks: Iterable[Block]) -> None:
+        """Solves explicit and small linear blocks in order; their unknowns become leaves."""
+        for block in blocks:
+            if block.kind is BlockKind.EXPLICIT:
+                for assignment in block.assignments:
+                    self._define(assignment.unknown, self.convert(assignment.value))
+            else:
+                self._run_linear(block)
+
+    def _define(self, unknown: Expr, value: SX) -> None:
+        self.convert.leaves[unknown] = value
+        self._slots[unknown] = len(self._slots)
+
+    def _run_linear(self, block: Block) -> None:
+        known = reads(expressions([block]), self._slots, own=block.unknowns)
+        z, u, local = block_scope(block, known)
+        residual = local.column([r.value for r in block.residuals])
+        zero = SX.zeros(z.shape[0], 1)
+        at_zero = Function("residual", [z, u], [residual]).call([zero, u])[0]
+        solution = column(solve_small(jacobian(residual, z), -at_zero))
+        values = local.column([a.value for a in block.assignments])
+        solve = Function("linear", [u], [solution, *Function("rest", [z, u], [values]).call([solution, u])])
+        results = solve.call([self.column(known)])
+        unknowns = [split(result) for result in results]
+        for unknown, value in zip(block.unknowns, unknowns[0] + unknowns[1], strict=True):
+            self._define(unknown, value)
+
+    def function(self, name: str, outputs: Sequence[tuple[str, SX]]) -> Function:
+        """A Function of the scope's inputs."""
+        names = [output for output, _ in outputs]
+        return Function(name, self.inputs, [value for _, value in outputs], self.names, names, FORWARD)
+
+
+def block_scope(block: Block, known: Sequence[Expr]) -> tuple[SX, SX, Scope]:
+    """Symbols of the tearing variables and the known values, and a scope in which the assignments have run."""
+    scope = Scope([("z", block.tearing), ("u", known)])
+    for assignment in block.assignments:
+        scope.convert.leaves[assignment.unknown] = scope.convert(assignment.value)
+    return scope.inputs[0], scope.inputs[1], scope

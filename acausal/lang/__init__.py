@@ -1,0 +1,1 @@
+"""The language front end: text, AST, instance tree, flat model."""

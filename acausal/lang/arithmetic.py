@@ -1,0 +1,205 @@
+"""Operators on values: types, sizes and what each does with arrays (Modelica 3.6, chapters 3 and 10.6)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from acausal.errors import Span, TypeProblem, UnsupportedProblem, fail
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.lang.values import AnyValue, Value, describe, elementwise, scalar, unify, zip_with
+from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import Expr
+
+_RELATION = {"<": "lt", "<=": "le", ">": "gt", ">=": "ge", "==": "eq", "<>": "ne"}
+
+
+def type_error(code: str, message: str, span: Span, hint: str = "", names: tuple[str, ...] = ()) -> TypeProblem:
+    """A `TypeProblem` with one diagnostic."""
+    error = fail(TypeProblem, code, message, span, names=names, hint=hint)
+    assert isinstance(error, TypeProblem)
+    return error
+
+
+def as_value(value: AnyValue, span: Span) -> Value:
+    """A scalar or array of a predefined type. Raises for records."""
+    if isinstance(value, Value):
+        return value
+    raise type_error("type.record", f"{describe(value)} cannot be used here", span, "use one of its fields")
+
+
+def as_scalar(value: AnyValue, span: Span, what: str = "expression") -> Value:
+    """A scalar. Raises `type.not-scalar`."""
+    plain = as_value(value, span)
+    if plain.shape:
+        raise type_error("type.not-scalar", f"this {what} must be a scalar, but it is {describe(plain)}", span)
+    return plain
+
+
+def as_boolean(value: AnyValue, span: Span, what: str = "condition") -> Expr:
+    """A Boolean scalar's expression. Raises `type.not-boolean`."""
+    plain = as_scalar(value, span, what)
+    if plain.type != BOOLEAN:
+        raise type_error(
+            "type.not-boolean", f"this {what} must be Boolean, but it is {plain.type}", span, "compare it with something"
+        )
+    return plain.item
+
+
+def binary(operator: str, left: AnyValue, right: AnyValue, span: Span) -> Value:
+    """The value of `left operator right`. Raises `TypeProblem`."""
+    a, b = as_value(left, span), as_value(right, span)
+    if operator in _RELATION:
+        return _relation(operator, a, b, span)
+    if operator in ("and", "or"):
+        return _logical(operator, a, b, span)
+    if operator == "+" and a.type == STRING and b.type == STRING:
+        return _concatenate(a, b, span)
+    _require_numeric(a, b, operator, span)
+    if operator.startswith("."):
+        return _elementwise(operator[1:], a, b, span)
+    if operator in ("+", "-"):
+        if a.shape != b.shape:
+            raise _sizes(operator, a, b, span, "use `.+` or `.-` to add a scalar to every element")
+        return _elementwise(operator, a, b, span)
+    if operator == "*":
+        return _times(a, b, span)
+    if operator == "/":
+        if b.shape:
+            raise _sizes(operator, a, b, span, "the divisor must be a scalar; use `./` element by element")
+        return _elementwise(operator, a, b, span)
+    return _power(a, b, span)
+
+
+def unary(operator: str, operand: AnyValue, span: Span) -> Value:
+    """The value of `not`, `-` or `+`."""
+    a = as_value(operand, span)
+    if operator == "not":
+        if a.type != BOOLEAN:
+            raise type_error("type.not-boolean", f"`not` needs a Boolean, not {describe(a)}", span)
+        return elementwise(ex.logical_not, a, BOOLEAN)
+    if not a.type.is_numeric:
+        raise type_error("type.not-numeric", f"`{operator}` needs a number, not {describe(a)}", span)
+    return a if operator.endswith("+") else elementwise(ex.neg_term, a, a.type)
+
+
+def _require_numeric(a: Value, b: Value, operator: str, span: Span) -> None:
+    for value in (a, b):
+        if not value.type.is_numeric:
+            raise type_error(
+                "type.not-numeric",
+                f"`{operator}` needs numbers on both sides, not {describe(a)} and {describe(b)}",
+                span,
+                "use `if condition then 1 else 0` to count a Boolean" if value.type == BOOLEAN else "",
+            )
+
+
+def _sizes(operator: str, a: Value, b: Value, span: Span, hint: str = "") -> TypeProblem:
+    return type_error(
+        "type.array-size", f"the sizes do not fit: {describe(a)} {operator} {describe(b)}", span, hint
+    )
+
+
+_ELEMENT: dict[str, Callable[[Expr, Expr], Expr]] = {
+    "+": ex.add,
+    "-": ex.sub,
+    "*": ex.mul,
+    "/": ex.div,
+    "^": ex.power,
+}
+
+
+def _elementwise(operator: str, a: Value, b: Value, span: Span) -> Value:
+    type_ = REAL if operator in ("/", "^") else (unify(a.type, b.type) or REAL)
+    result = zip_with(_ELEMENT[operator], a, b, type_)
+    if result is None:
+        raise _sizes(operator, a, b, span)
+    return result
+
+
+def _times(a: Value, b: Value, span: Span) -> Value:
+    type_ = unify(a.type, b.type) or REAL
+    if not a.shape or not b.shape:
+        return _elementwise("*", a, b, span)
+    if a.shape[-1] != b.shape[0] or len(a.shape) > 2 or len(b.shape) > 2:
+        raise _sizes("*", a, b, span, "use `.*` for the product element by element")
+    rows = 1 if len(a.shape) == 1 else a.shape[0]
+    columns = 1 if len(b.shape) == 1 else b.shape[1]
+    inner = b.shape[0]
+    items = [
+        dot([a.items[i * inner + k] for k in range(inner)], [b.items[k * columns + j] for k in range(inner)])
+        for i in range(rows)
+        for j in range(columns)
+    ]
+    return Value(type_, a.shape[:-1] + b.shape[1:], tuple(items))
+
+
+def dot(a: list[Expr], b: list[Expr]) -> Expr:
+    """Sum of products."""
+    return ex.add(*[ex.mul(x, y) for x, y in zip(a, b, strict=True)]) if a else ex.ZERO
+
+
+def _power(a: Value, b: Value, span: Span) -> Value:
+    if not a.shape and not b.shape:
+        return _elementwise("^", a, b, span)
+    square = len(a.shape) == 2 and a.shape[0] == a.shape[1]
+    exponent = b.items[0].value if not b.shape and b.items[0].is_const else None
+    if not square or not isinstance(exponent, int) or not 0 <= exponent <= 100:
+        raise _sizes("^", a, b, span, "use `.^` element by element")
+    size = a.shape[0]
+    one, zero = ex.const(1), ex.const(0)
+    result = Value(a.type, a.shape, tuple(one if i % (size + 1) == 0 else zero for i in range(size * size)))
+    for _ in range(exponent):
+        result = _times(result, a, span)
+    return result
+
+
+def _relation(operator: str, a: Value, b: Value, span: Span) -> Value:
+    if a.shape or b.shape:
+        raise type_error("type.not-scalar", f"`{operator}` compares scalars, not {describe(a)} and {describe(b)}", span)
+    if unify(a.type, b.type) is None:
+        raise type_error(
+            "type.mismatch", f"`{operator}` cannot compare {describe(a)} with {describe(b)}", span
+        )
+    return scalar(BOOLEAN, ex.relation(_RELATION[operator], a.item, b.item))
+
+
+def _logical(operator: str, a: Value, b: Value, span: Span) -> Value:
+    if a.type != BOOLEAN or b.type != BOOLEAN:
+        raise type_error(
+            "type.not-boolean", f"`{operator}` needs Booleans, not {describe(a)} and {describe(b)}", span
+        )
+    combine = ex.logical_and if operator == "and" else ex.logical_or
+    result = zip_with(combine, a, b, BOOLEAN) if a.shape == b.shape else None
+    if result is None:
+        raise _sizes(operator, a, b, span)
+    return result
+
+
+def _concatenate(a: Value, b: Value, span: Span) -> Value:
+    x, y = a.item.value, b.item.value
+    if a.shape or b.shape or not isinstance(x, str) or not isinstance(y, str):
+        raise fail(
+            UnsupportedProblem,
+            "unsupported.string-expression",
+            "only strings known at compile time can be joined",
+            span,
+        )
+    return scalar(STRING, ex.const(x + y))
+
+
+def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> Value:
+    """`if condition then then else otherwise`, element by element."""
+    a, b = as_value(then, span), as_value(otherwise, span)
+    type_ = unify(a.type, b.type)
+    if type_ is None:
+        raise type_error(
+            "type.mismatch", f"the branches of this `if` are {describe(a)} and {describe(b)}", span
+        )
+    if a.shape != b.shape:
+        raise type_error(
+            "type.array-size", f"the branches of this `if` have different sizes: {describe(a)} and {describe(b)}", span
+        )
+    items = [ex.if_then_else(condition, x, y) for x, y in zip(a.items, b.items, strict=True)]
+    return Value(type_, a.shape, tuple(items))
+
+

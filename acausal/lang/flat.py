@@ -1,0 +1,183 @@
+"""FlatModel: scalar variables and equations only, as the front end hands it to the symbolic core.
+
+Connections are equations, `if`-equations are `if`-expressions or decided, functions are inlined, arrays
+are gone; names are the model's own (`line.cell[3].p`). `verify` proves what every later stage relies on.
+`base_modelica.print_flat` shows it as Base Modelica (MCP-0031).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, IntEnum
+from functools import cached_property
+
+from acausal.errors import Diagnostic, Span
+from acausal.symbolic.expressions.expr import Expr
+
+
+class Variability(IntEnum):
+    """Ordered as in Modelica 3.6, 4.5: constant < parameter < discrete < continuous."""
+
+    CONSTANT = 0
+    PARAMETER = 1
+    DISCRETE = 2
+    CONTINUOUS = 3
+
+
+class StateSelect(IntEnum):
+    """Modelica 3.6, 4.9.7.1; `literal` gives the name in source."""
+
+    NEVER = 1
+    AVOID = 2
+    DEFAULT = 3
+    PREFER = 4
+    ALWAYS = 5
+
+    @property
+    def literal(self) -> str:
+        return self.name.lower()
+
+
+class Causality(Enum):
+    LOCAL = "local"
+    INPUT = "input"
+    OUTPUT = "output"
+
+
+@dataclass(frozen=True, slots=True)
+class ScalarType:
+    """`Real`, `Integer`, `Boolean`, `String`, or an enumeration with its literals."""
+
+    name: str
+    literals: tuple[str, ...] = ()
+
+    @property
+    def is_enumeration(self) -> bool:
+        return bool(self.literals)
+
+    @property
+    def is_numeric(self) -> bool:
+        return self.name in ("Real", "Integer") and not self.literals
+
+    def __str__(self) -> str:
+        return self.name
+
+
+REAL = ScalarType("Real")
+INTEGER = ScalarType("Integer")
+BOOLEAN = ScalarType("Boolean")
+STRING = ScalarType("String")
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A scalar variable, parameter or constant with its attributes.
+
+    `start`, `nominal`, `min`, `max` are expressions in parameters (None: not given). `binding` is the
+    declaration's `= value` of a parameter or constant; that of any other variable is an `Equation`.
+    """
+
+    name: str
+    type: ScalarType
+    variability: Variability
+    span: Span
+    causality: Causality = Causality.LOCAL
+    binding: Expr | None = None
+    start: Expr | None = None
+    fixed: bool | None = None
+    nominal: Expr | None = None
+    min: Expr | None = None
+    max: Expr | None = None
+    unit: str = ""
+    display_unit: str = ""
+    quantity: str = ""
+    state_select: StateSelect = StateSelect.DEFAULT
+    flow: bool = False
+    protected: bool = False
+    final: bool = False
+    structural: bool = False
+    """A parameter whose value shaped the model (an array size, an `if`-equation): changing it re-flattens."""
+    top_level: bool = False
+    """Declared (or inherited) by the model itself, not by one of its components."""
+    description: str = ""
+
+    @property
+    def is_unknown(self) -> bool:
+        """Neither parameter nor constant: something the equations must determine."""
+        return self.variability > Variability.PARAMETER
+
+    @property
+    def is_fixed(self) -> bool:
+        """`fixed` with Modelica's default: true for parameters and constants, false for variables."""
+        return self.fixed if self.fixed is not None else not self.is_unknown
+
+
+class Origin(Enum):
+    """How an equation came to be, for messages."""
+
+    EQUATION = "equation"
+    BINDING = "binding"
+    CONNECTION = "connection"
+    FLOW_BALANCE = "flow balance"
+    UNCONNECTED = "unconnected flow"
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """`left = right` between scalars; `component` is the path of the component that wrote it ("" at the top)."""
+
+    left: Expr
+    right: Expr
+    span: Span
+    component: str = ""
+    origin: Origin = Origin.EQUATION
+
+
+@dataclass(frozen=True, slots=True)
+class Assertion:
+    """`assert(condition, message, level)`; `message` is an expression of type String."""
+
+    condition: Expr
+    message: str
+    level: str
+    span: Span
+    component: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Experiment:
+    """The `experiment` annotation; None where it says nothing (contract: 1 s, 1e-6, 1/500)."""
+
+    start_time: float | None = None
+    stop_time: float | None = None
+    tolerance: float | None = None
+    interval: float | None = None
+
+
+@dataclass(frozen=True)
+class FlatModel:
+    """The whole model as scalars. Order is the declaration order of the source, depth first."""
+
+    name: str
+    description: str
+    variables: tuple[Variable, ...]
+    equations: tuple[Equation, ...]
+    initial_equations: tuple[Equation, ...]
+    assertions: tuple[Assertion, ...]
+    experiment: Experiment
+    span: Span
+    warnings: tuple[Diagnostic, ...] = ()
+
+    @cached_property
+    def by_name(self) -> dict[str, Variable]:
+        return {variable.name: variable for variable in self.variables}
+
+    @cached_property
+    def unknowns(self) -> tuple[Variable, ...]:
+        """Variables that the equations must determine: neither parameters nor constants."""
+        return tuple(v for v in self.variables if v.is_unknown)
+
+    @cached_property
+    def parameters(self) -> tuple[Variable, ...]:
+        """Parameters and constants."""
+        return tuple(v for v in self.variables if not v.is_unknown)

@@ -1,0 +1,131 @@
+"""The instance tree: names resolved, modifiers and redeclarations applied, sizes known, conditions decided.
+
+`Instance` is a component with parts, `Leaf` a scalar of a predefined or enumeration type, `Array` holds
+the elements of an array of either, `Absent` is a conditional component that is not there.
+`print_instance` shows the tree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import Enum
+
+from acausal.errors import Span
+from acausal.lang.flat import Causality, ScalarType, Variability
+from acausal.lang.modifiers import NO_MODIFIER, Binding, Modifier
+from acausal.lang.scope import Scope
+
+
+class Connection(Enum):
+    """The prefix of a variable in a connector."""
+
+    POTENTIAL = ""
+    FLOW = "flow"
+    STREAM = "stream"
+
+
+@dataclass(frozen=True, slots=True)
+class Prefixes:
+    """What a component hands down to its parts."""
+
+    variability: Variability = Variability.CONTINUOUS
+    causality: Causality = Causality.LOCAL
+    connection: Connection = Connection.POTENTIAL
+    protected: bool = False
+    final: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Leaf:
+    """A scalar variable, parameter or constant. `attributes` (start, unit, ...) and `binding` are as written."""
+
+    path: str
+    type: ScalarType
+    prefixes: Prefixes
+    attributes: dict[str, Binding]
+    binding: Binding | None
+    span: Span
+    description: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Array:
+    """Elements of an array component, row by row."""
+
+    path: str
+    shape: tuple[int, ...]
+    items: tuple[Member, ...]
+    type: ScalarType | None
+    """Of an array of scalars, also of an empty one."""
+    span: Span
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Absent:
+    """A conditional component whose condition is false."""
+
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Instance:
+    """A component with parts. `members` is filled by the builder, name by name, and complete in the end."""
+
+    path: str
+    scope: Scope
+    parent: Instance | None
+    prefixes: Prefixes
+    span: Span
+    description: str = ""
+    modifier: Modifier = NO_MODIFIER
+    members: dict[str, Member] = field(default_factory=lambda: {})
+
+    @property
+    def is_connector(self) -> bool:
+        return self.scope.kind == "connector"
+
+    @property
+    def is_record(self) -> bool:
+        return self.scope.kind == "record" or self.scope.kind == "operator"
+
+
+Member = Leaf | Array | Absent | Instance
+
+
+def leaves(member: Member) -> Iterator[Leaf]:
+    """All scalars below a member, depth first in order of declaration."""
+    stack = [member]
+    while stack:
+        current = stack.pop()
+        if isinstance(current, Leaf):
+            yield current
+        elif isinstance(current, Array):
+            stack.extend(reversed(current.items))
+        elif isinstance(current, Instance):
+            stack.extend(reversed(current.members.values()))
+
+
+def print_instance(root: Instance) -> str:
+    """The tree as indented text: one line a component, `name : class`, scalars with their prefixes."""
+    lines = [f"{root.scope.path}"]
+    stack: list[tuple[str, Member, int]] = [(n, m, 1) for n, m in reversed(root.members.items())]
+    while stack:
+        name, member, depth = stack.pop()
+        pad = "  " * depth
+        if isinstance(member, Leaf):
+            prefix = "" if member.prefixes.variability is Variability.CONTINUOUS else member.prefixes.variability.name.lower() + " "
+            flow = "flow " if member.prefixes.connection is Connection.FLOW else ""
+            lines.append(f"{pad}{flow}{prefix}{member.type} {name}")
+        elif isinstance(member, Array):
+            lines.append(f"{pad}{name}[{', '.join(map(str, member.shape))}]")
+            numbered = [(f"[{i}]", item, depth + 1) for i, item in enumerate(member.items, start=1)]
+            if not all(isinstance(item, Leaf) for item in member.items):
+                stack.extend(reversed(numbered))
+        elif isinstance(member, Absent):
+            lines.append(f"{pad}{name} (absent)")
+        else:
+            lines.append(f"{pad}{name} : {member.scope.path}")
+            stack.extend((n, m, depth + 1) for n, m in reversed(member.members.items()))
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,244 @@
+"""Finding and loading stored classes: the library path, packages as folders and files (Modelica 3.6, 13.4).
+
+A `ClassNode` is one class definition at its place in the package tree. Its children are the classes
+declared in its text and, for a package stored as a folder, the files and folders beside `package.mo`;
+those are read only when they are first asked for.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from acausal.errors import LookupProblem, Source, Span, SyntaxProblem, fail
+from acausal.lang import ast
+from acausal.lang.lexer import decode
+from acausal.lang.parser import parse
+
+MAX_FILE_BYTES = 20_000_000
+
+
+def library_directories(
+    extra: Sequence[str | Path] = (), environment: Mapping[str, str] | None = None
+) -> tuple[Path, ...]:
+    """The library path in the contract's order: `extra`, MODELICAPATH, `~/.openmodelica/libraries`, bundled."""
+    env = os.environ if environment is None else environment
+    listed = [Path(p) for p in extra]
+    listed += [Path(p) for p in env.get("MODELICAPATH", "").split(":") if p]
+    if env.get("HOME"):
+        listed.append(Path(env["HOME"]) / ".openmodelica" / "libraries")
+    listed += bundled_directories()
+    return tuple(dict.fromkeys(p for p in listed if p.is_dir()))
+
+
+def bundled_directories() -> list[Path]:
+    """Folders that contain the packages shipped with acausal (inside the wheel, or in a source checkout)."""
+    package = Path(__file__).resolve().parent.parent
+    for base in (package / "_bundled", package.parent):
+        found = sorted(p.parent.parent for p in base.glob("library/*/*/package.mo"))
+        found += sorted(p.parent.parent for p in base.glob("models/*/*/package.mo"))
+        if found:
+            return list(dict.fromkeys(found))
+    return []
+
+
+class ClassNode:
+    """A class definition in the package tree; `folder` is set for a package stored as a directory."""
+
+    __slots__ = ("_loaded", "_stored", "definition", "folder", "name", "parent", "path")
+
+    def __init__(self, definition: ast.ClassDefinition, parent: ClassNode | None, folder: Path | None) -> None:
+        self.definition = definition
+        self.name = definition.name
+        self.parent = parent
+        self.path: str = f"{parent.path}.{definition.name}" if parent is not None else definition.name
+        self.folder = folder
+        self._stored: dict[str, ClassNode] | None = None
+        self._loaded: dict[str, ClassNode | None] = {}
+
+    def child(self, name: str) -> ClassNode | None:
+        """The nested class `name`, reading its file if it has one of its own."""
+        inside = self._inside()
+        if name in inside:
+            return inside[name]
+        if self.folder is None:
+            return None
+        if name not in self._loaded:
+            self._loaded[name] = self._load_stored(name)
+        return self._loaded[name]
+
+    def child_names(self) -> list[str]:
+        """Names of all nested classes: those in the text, then those in files, sorted."""
+        names = list(self._inside())
+        if self.folder is not None:
+            names += [name for name in stored_names(self.folder) if name not in names]
+        return names
+
+    def _inside(self) -> dict[str, ClassNode]:
+        if self._stored is None:
+            self._stored = {}
+            if isinstance(self.definition, ast.LongClass):
+                for element in self.definition.body.elements:
+                    if isinstance(element, ast.ClassDefinition):
+                        self._stored[element.name] = ClassNode(element, self, None)
+        return self._stored
+
+    def _load_stored(self, name: str) -> ClassNode | None:
+        assert self.folder is not None
+        found = find_stored(self.folder, name)
+        return None if found is None else load_class(found, name, self)
+
+
+def stored_names(folder: Path) -> Iterator[str]:
+    """Names of the classes stored beside a `package.mo`, sorted."""
+    for entry in sorted(folder.iterdir(), key=lambda p: p.name):
+        if entry.is_dir() and (entry / "package.mo").is_file():
+            yield entry.name
+        elif entry.suffix == ".mo" and entry.name != "package.mo":
+            yield entry.stem
+
+
+def find_stored(folder: Path, name: str) -> Path | None:
+    """`folder/name/package.mo` or `folder/name.mo`."""
+    for candidate in (folder / name / "package.mo", folder / f"{name}.mo"):
+        if candidate.is_file():
+            return candidate
+    return None
+
+
+def find_top_level(directories: Sequence[Path], name: str) -> Path | None:
+    """The first `Name/package.mo`, `Name VERSION/package.mo` (highest version) or `Name.mo` on the path."""
+    for directory in directories:
+        found = find_stored(directory, name)
+        if found is not None:
+            return found
+        versioned = [
+            p / "package.mo"
+            for p in directory.glob(f"{name} *")
+            if p.name.startswith(f"{name} ") and (p / "package.mo").is_file()
+        ]
+        if versioned:
+            return max(versioned, key=lambda p: _version_key(p.parent.name[len(name) + 1 :]))
+    return None
+
+
+def _version_key(version: str) -> tuple[tuple[int, str], ...]:
+    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in version.replace("-", ".").split("."))
+
+
+def read_source(path: Path, shown: str | None = None) -> Source:
+    """Read and decode a Modelica file. Raises `SyntaxProblem` or `LookupProblem`."""
+    label = shown or display_path(path)
+    try:
+        if path.stat().st_size > MAX_FILE_BYTES:
+            raise fail(
+                SyntaxProblem, "syntax.too-large", f"{label} is larger than {MAX_FILE_BYTES // 1_000_000} MB"
+            )
+        data = path.read_bytes()
+    except OSError as problem:
+        raise fail(
+            LookupProblem, "library.unreadable", f"cannot read {label}: {problem.strerror or problem}"
+        ) from None
+    return decode(data, label)
+
+
+def display_path(path: Path) -> str:
+    """A path as messages show it: relative to the working directory when it lies below it."""
+    try:
+        return str(path.resolve().relative_to(Path.cwd()))
+    except ValueError:
+        return str(path)
+
+
+def load_class(path: Path, name: str, parent: ClassNode | None) -> ClassNode:
+    """The class stored in `path`, which must be called `name` and be `within` its parent."""
+    stored = parse(read_source(path))
+    folder = path.parent if path.name == "package.mo" else None
+    within = ".".join(stored.within or ())
+    expected = parent.path if parent is not None else ""
+    if len(stored.classes) != 1 or stored.classes[0][1].name != name:
+        found = ", ".join(c.name for _, c in stored.classes) or "no class"
+        raise fail(
+            LookupProblem,
+            "library.file-name",
+            f"{display_path(path)} must hold exactly the class `{name}`, but it holds {found}",
+            stored.classes[0][1].span if stored.classes else None,
+            hint="a class stored in a file of a package has the name of the file (Modelica 3.6, 13.4)",
+        )
+    definition = stored.classes[0][1]
+    if stored.within is not None and within != expected:
+        raise fail(
+            LookupProblem,
+            "library.within",
+            f"{display_path(path)} says `within {within};` but it is stored in `{expected or 'the top level'}`",
+            definition.span,
+            hint=f"write `within {expected};` or move the file",
+        )
+    return ClassNode(definition, parent, folder)
+
+
+@dataclass
+class Library:
+    """Top-level classes by name: given ones first, then what the library path holds. Grows as names are met."""
+
+    directories: tuple[Path, ...] = ()
+
+    def __post_init__(self) -> None:
+        self._classes: dict[str, ClassNode | None] = {}
+
+    def add(self, definition: ast.ClassDefinition, folder: Path | None = None) -> ClassNode:
+        """Add a top-level class from a text that is not on the path."""
+        if self._classes.get(definition.name) is not None:
+            raise fail(
+                LookupProblem,
+                "library.duplicate-class",
+                f"the class `{definition.name}` is defined twice",
+                definition.span,
+                names=[definition.name],
+                hint="rename one of them",
+            )
+        node = ClassNode(definition, None, folder)
+        self._classes[definition.name] = node
+        return node
+
+    def top_level(self, name: str) -> ClassNode | None:
+        """The top-level class `name`, loaded from the path when needed."""
+        if name not in self._classes:
+            found = find_top_level(self.directories, name)
+            self._classes[name] = None if found is None else load_class(found, name, None)
+        return self._classes[name]
+
+    def top_level_names(self) -> list[str]:
+        """Names that can be loaded, for suggestions; sorted."""
+        names = {name for name, node in self._classes.items() if node is not None}
+        for directory in self.directories:
+            names.update(name.split(" ")[0] for name in stored_names(directory))
+        return sorted(names)
+
+    def find(self, dotted: str, span: Span | None = None) -> ClassNode:
+        """The class with this full name. Raises `LookupProblem` with the nearest names."""
+        parts = dotted.split(".")
+        node = self.top_level(parts[0])
+        siblings: Callable[[], list[str]] = self.top_level_names
+        for i, part in enumerate(parts):
+            if i > 0:
+                assert node is not None
+                siblings = node.child_names
+                node = node.child(part)
+            if node is None:
+                raise unknown_class(".".join(parts[: i + 1]), part, siblings(), span)
+        assert node is not None
+        return node
+
+
+def unknown_class(shown: str, part: str, known: Sequence[str], span: Span | None) -> LookupProblem:
+    """The error for a class name that is not there."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(part, known, 3)
+    hint = f"did you mean {' or '.join(f'`{n}`' for n in near)}?" if near else "check the library path (--path, MODELICAPATH)"
+    error = fail(LookupProblem, "lookup.unknown-class", f"class `{shown}` is not found", span, names=[shown], hint=hint)
+    assert isinstance(error, LookupProblem)
+    return error

@@ -1,0 +1,174 @@
+"""What an expression of the source becomes: scalars and arrays of hash-consed expressions, and records."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+from math import prod
+
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.symbolic.expressions.expr import EnumValue, Expr, const
+
+Shape = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Value:
+    """A scalar (`shape` is empty) or an array, row by row, of expressions of one scalar type."""
+
+    type: ScalarType
+    shape: Shape
+    items: tuple[Expr, ...]
+
+    @property
+    def is_scalar(self) -> bool:
+        return not self.shape
+
+    @property
+    def item(self) -> Expr:
+        """The expression of a scalar."""
+        return self.items[0]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordValue:
+    """A record: its class's name and its fields in order of declaration."""
+
+    type_name: str
+    fields: dict[str, AnyValue]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RecordArray:
+    """An array of records, row by row."""
+
+    shape: Shape
+    items: tuple[RecordValue, ...]
+
+
+AnyValue = Value | RecordValue | RecordArray
+
+
+def scalar(type_: ScalarType, item: Expr) -> Value:
+    return Value(type_, (), (item,))
+
+
+def real(item: Expr) -> Value:
+    return Value(REAL, (), (item,))
+
+
+def literal(value: float | int | bool | str) -> Value:
+    """A literal of the matching predefined type."""
+    if isinstance(value, bool):
+        return Value(BOOLEAN, (), (const(value),))
+    if isinstance(value, int):
+        return Value(INTEGER, (), (const(value),))
+    return Value(STRING if isinstance(value, str) else REAL, (), (const(value),))
+
+
+def enumeration_literal(type_: ScalarType, index: int) -> Value:
+    """Literal number `index` (from 1) of an enumeration type."""
+    return Value(type_, (), (const(EnumValue(type_.name, type_.literals[index - 1], index)),))
+
+
+def describe(value: AnyValue) -> str:
+    """Type and size for messages: `Real[3, 2]`, `record Fluid`."""
+    if isinstance(value, RecordValue):
+        return f"record {value.type_name}"
+    if isinstance(value, RecordArray):
+        return f"array of records[{', '.join(map(str, value.shape))}]"
+    return value.type.name + (f"[{', '.join(map(str, value.shape))}]" if value.shape else "")
+
+
+def unify(a: ScalarType, b: ScalarType) -> ScalarType | None:
+    """The common type of two values: Integer becomes Real where needed; None if there is none."""
+    if a == b:
+        return a
+    if a.is_numeric and b.is_numeric:
+        return REAL
+    return None
+
+
+def assignable(source: ScalarType, target: ScalarType) -> bool:
+    """Whether a value of type `source` may be bound to something of type `target`."""
+    return source == target or (target == REAL and source == INTEGER)
+
+
+def elementwise(function: Callable[[Expr], Expr], a: Value, type_: ScalarType) -> Value:
+    return Value(type_, a.shape, tuple([function(item) for item in a.items]))
+
+
+def zip_with(function: Callable[[Expr, Expr], Expr], a: Value, b: Value, type_: ScalarType) -> Value | None:
+    """Element by element; a scalar is paired with every element. None when the sizes differ."""
+    if a.shape == b.shape:
+        items = tuple([function(x, y) for x, y in zip(a.items, b.items, strict=True)])
+        return Value(type_, a.shape, items)
+    if not a.shape:
+        return Value(type_, b.shape, tuple([function(a.items[0], y) for y in b.items]))
+    if not b.shape:
+        return Value(type_, a.shape, tuple([function(x, b.items[0]) for x in a.items]))
+    return None
+
+
+def index_offset(shape: Shape, index: Sequence[int]) -> int:
+    """Row-major offset of a full index (from 0)."""
+    offset = 0
+    for size, i in zip(shape, index, strict=True):
+        offset = offset * size + i
+    return offset
+
+
+def all_indices(shape: Shape) -> Iterator[tuple[int, ...]]:
+    """All full indices (from 0), row by row."""
+    return product(*[range(size) for size in shape])
+
+
+def first_element(value: Value, index: int) -> Value:
+    """`value[index]` (from 0) along the first dimension."""
+    rest = value.shape[1:]
+    size = prod(rest)
+    return Value(value.type, rest, value.items[index * size : (index + 1) * size])
+
+
+def select_part(value: AnyValue, selector: int | str) -> AnyValue | None:
+    """One element along the first dimension (from 0) or one field; None when there is no such part."""
+    if isinstance(selector, str):
+        if isinstance(value, RecordValue):
+            return value.fields.get(selector)
+        if isinstance(value, RecordArray):
+            return stack([item.fields[selector] for item in value.items], value.shape)
+        return None
+    if isinstance(value, Value):
+        return first_element(value, selector) if value.shape and selector < value.shape[0] else None
+    if isinstance(value, RecordArray) and selector < value.shape[0]:
+        rest = value.shape[1:]
+        size = prod(rest)
+        part = value.items[selector * size : (selector + 1) * size]
+        return part[0] if not rest else RecordArray(rest, part)
+    return None
+
+
+def stack(values: Sequence[AnyValue], shape: Shape) -> AnyValue | None:
+    """Values of one kind and size as an array whose leading dimensions are `shape`; None if they do not fit."""
+    if all(isinstance(v, RecordValue) for v in values) and values:
+        return RecordArray(shape, tuple([v for v in values if isinstance(v, RecordValue)]))
+    plain = [v for v in values if isinstance(v, Value)]
+    if len(plain) != len(values) or not plain:
+        return None
+    type_ = plain[0].type
+    for value in plain[1:]:
+        common = unify(type_, value.type)
+        if common is None or value.shape != plain[0].shape:
+            return None
+        type_ = common
+    return Value(type_, shape + plain[0].shape, tuple([item for value in plain for item in value.items]))
+
+
+def subscript(value: Value, selections: Sequence[int | Sequence[int]]) -> Value:
+    """Apply subscripts (from 0): an int drops its dimension, a sequence keeps it. Missing ones mean `:`."""
+    full: list[int | Sequence[int]] = [*selections, *[range(n) for n in value.shape[len(selections) :]]]
+    shape = tuple(len(s) for s in full if not isinstance(s, int))
+    ranges = [[s] if isinstance(s, int) else s for s in full]
+    items = tuple([value.items[index_offset(value.shape, index)] for index in product(*ranges)])
+    return Value(value.type, shape, items)

@@ -1,0 +1,1 @@
+"""Running a compiled system: initial problem, integration with events, results."""

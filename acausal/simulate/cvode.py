@@ -1,0 +1,188 @@
+"""CVODE (variable-order BDF) from SUNDIALS through scikit-sundae, with callbacks into the compiled Functions.
+
+Steps. scikit-sundae does not pass CVODE's step counter on. It is recovered from the times at which CVODE asks for
+derivatives: every attempted step evaluates at its end, and a rejected attempt is followed by an earlier time, so
+accepted steps are the forward moves. The trial evaluations that choose the first step size come before the first
+Jacobian, where counting starts anew.
+
+Not-a-number. scikit-sundae ignores what callbacks return, so a failing evaluation cannot be reported as recoverable.
+It fills the derivatives with not-a-number instead; the corrector then does not converge and CVODE takes a quarter
+of the step, exactly as it does for a recoverable failure.
+"""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+from scipy.sparse import csc_matrix
+from sksundae.cvode import CVODE, CVODEResult
+
+from acausal.errors import SimulationProblem, fail
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.messages import at, some
+from acausal.simulate.newton import Vector
+from acausal.simulate.solver import Arrival, Tolerances, Work
+
+SPARSE_FROM = 50
+"""From this number of states on, the linear solver is sparse (SuperLU) instead of dense."""
+
+_CAUSES = {
+    -1: ("simulate.too-many-steps", "too many steps were needed"),
+    -2: ("simulate.tolerance", "the tolerance asks for more accuracy than numbers of 64 bits have"),
+    -3: ("simulate.step-too-small", "the error test failed with the smallest step"),
+    -4: ("simulate.no-convergence", "the corrector did not converge with the smallest step"),
+}
+
+
+class _Roots:
+    """The zero-crossing callback. scikit-sundae keeps every event it returns in lists on this object."""
+
+    def __init__(self, evaluator: Evaluator) -> None:
+        self.terminal = [True] * len(evaluator.m)
+        self.direction = [0] * len(evaluator.m)
+        self._evaluator = evaluator
+        self._i: list[object] = []
+        self._t: list[object] = []
+        self._y: list[object] = []
+
+    def __call__(self, t: float, y: Vector, events: Vector, /) -> None:
+        evaluator = self._evaluator
+        evaluator.t[0] = t
+        evaluator.x[:] = y[: evaluator.x.size]
+        evaluator.event()
+        events[:] = evaluator.roots
+
+    def forget(self) -> None:
+        """Empties those lists, which scikit-sundae would otherwise copy after every step."""
+        for kept in (self._i, self._t, self._y):
+            kept.clear()
+
+
+class Cvode:
+    """The `Solver` over one CVODE instance. A model without states gets a constant one, to locate its events."""
+
+    def __init__(self, evaluator: Evaluator, tolerances: Tolerances) -> None:
+        self._evaluator = evaluator
+        self._tolerances = tolerances
+        self._size = max(1, evaluator.x.size)
+        self._rhs_evaluations = self._jacobian_evaluations = 0
+        self._steps = self._finished_steps = 0
+        self._latest = -np.inf
+        self._settled = False
+        pattern = evaluator.code.jac.sparsity_out(0)
+        rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
+        self._rows, self._columns = rows, columns
+        self._sparse = self._size > SPARSE_FROM and len(rows) > 0
+        self._roots = _Roots(evaluator) if evaluator.m.size else None
+        self._cvode = self._create()
+
+    def _create(self) -> CVODE:
+        shape = (self._size, self._size)
+        ones = np.ones(len(self._rows))
+        limits = self._tolerances
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # it says that the pattern is not used for differences: it is exact
+            return CVODE(
+                self._derivatives,
+                jacfn=self._sparse_jacobian if self._sparse else self._dense_jacobian,
+                linsolver="sparse" if self._sparse else "dense",
+                sparsity=csc_matrix((ones, (self._rows, self._columns)), shape=shape) if self._sparse else None,
+                rtol=limits.rtol,
+                atol=limits.atol if limits.atol.size else 1.0,
+                max_step=limits.max_step,
+                max_num_steps=limits.max_steps,
+                eventsfn=self._roots,
+                num_events=self._evaluator.m.size,
+            )
+
+    @property
+    def work(self) -> Work:
+        steps = self._finished_steps + self._steps
+        return Work(steps, self._rhs_evaluations, self._jacobian_evaluations)
+
+    def _derivatives(self, t: float, y: Vector, yp: Vector, /) -> None:
+        self._rhs_evaluations += 1
+        if t > self._latest:
+            self._steps += 1
+        self._latest = t
+        evaluator = self._evaluator
+        if not evaluator.x.size:
+            yp[0] = 0.0
+            return
+        evaluator.t[0] = t
+        evaluator.x[:] = y
+        if evaluator.guess.size:
+            evaluator.evaluate()
+        else:
+            evaluator.ode()
+        yp[:] = evaluator.xdot
+
+    def _count_jacobian(self) -> None:
+        self._jacobian_evaluations += 1
+        if not self._settled:
+            self._settled = True
+            self._steps = 1
+
+    def _at(self, t: float, y: Vector) -> None:
+        self._count_jacobian()
+        evaluator = self._evaluator
+        if evaluator.x.size:
+            evaluator.at(t, y)
+            evaluator.jac()
+
+    def _sparse_jacobian(self, t: float, y: Vector, yp: Vector, matrix: Vector, /) -> None:
+        self._at(t, y)
+        matrix[:] = self._evaluator.jacobian
+
+    def _dense_jacobian(self, t: float, y: Vector, yp: Vector, matrix: Vector, /) -> None:
+        self._at(t, y)
+        matrix[self._rows, self._columns] = self._evaluator.jacobian
+
+    def restart(self, time: float, x: Vector) -> None:
+        self._finished_steps += self._steps
+        self._steps = 0
+        self._settled = False
+        self._latest = time
+        self._cvode.init_step(time, x if x.size else np.zeros(1))
+
+    def advance(self, target: float, stop: float) -> Arrival:
+        found = self._cvode.step(target, method="normal", tstop=stop)
+        time = float(found.t)
+        x = found.y[: self._evaluator.x.size]
+        if found.status < 0:
+            raise self._failure(found, x)
+        if found.status == 2 and found.i_events is not None and self._roots is not None:
+            crossed = np.asarray(found.i_events[-1], dtype=np.int_)
+            self._roots.forget()
+            return Arrival(time, x, crossed)
+        if self.work.steps > self._tolerances.max_steps:
+            raise self._failure(found, x)
+        return Arrival(time, x)
+
+    def _failure(self, found: CVODEResult, x: Vector) -> Exception:
+        """Explains why CVODE gave up: an equation that is not finite, or states that change too fast."""
+        evaluator = self._evaluator
+        time = float(evaluator.t[0])
+        if not evaluator.evaluate():
+            evaluator.explain()
+        time = float(found.t)
+        code, cause = _CAUSES.get(found.status if found.status < 0 else -1, ("simulate.solver", found.message))
+        names = self._dominant(time, x)
+        return fail(
+            SimulationProblem,
+            code,
+            f"CVODE stopped {at(time)}: {cause}; states that change most against their tolerance: {some(names)}",
+            names=names,
+            hint="look for a discontinuity that is no event, a wrong nominal value or a solution that does not exist",
+        )
+
+    def _dominant(self, time: float, x: Vector) -> list[str]:
+        """The states with the largest derivative in units of their tolerance, largest first."""
+        evaluator = self._evaluator
+        evaluator.at(time, x)
+        evaluator.evaluate()
+        limits = self._tolerances
+        weighted = np.abs(evaluator.xdot) / (limits.rtol * np.abs(x) + limits.atol)
+        order = np.argsort(-np.nan_to_num(weighted, nan=np.inf), kind="stable")[:3]
+        return [evaluator.code.system.states[i] for i in order]

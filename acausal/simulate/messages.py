@@ -1,0 +1,71 @@
+"""Texts about equations, blocks and conditions that every run-time error uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from acausal.errors import AcausalError, Diagnostic, Span
+from acausal.symbolic.causal import Block, CausalEquation, ZeroCrossing
+from acausal.symbolic.expressions.expr import Expr, symbols
+from acausal.symbolic.expressions.text import to_text
+
+_SHOWN = 8
+
+
+def equation_text(equation: CausalEquation) -> str:
+    """`left = right` as in the flat model."""
+    return f"{to_text(equation.left)} = {to_text(equation.right)}"
+
+
+def some(names: Sequence[str]) -> str:
+    """The first few names, and how many more there are."""
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return ", ".join(names[:_SHOWN]) + more
+
+
+def leaf_name(leaf: Expr) -> str:
+    """`x` or `der(x)`."""
+    return to_text(leaf)
+
+
+def number(value: float) -> str:
+    return f"{value:.6g}"
+
+
+def at(time: float) -> str:
+    return f"at time {time:.12g} s"
+
+
+def values_text(pairs: Iterable[tuple[Expr, float]]) -> str:
+    """`x = 1, y = 2` for a message."""
+    return some([f"{leaf_name(leaf)} = {number(value)}" for leaf, value in pairs])
+
+
+def block_equations(block: Block) -> list[CausalEquation]:
+    return [r.equation for r in block.residuals] + [a.equation for a in block.assignments]
+
+
+def block_problem(
+    kind: type[AcausalError], code: str, what: str, block: Block, time: float, worst: Sequence[int], hint: str
+) -> AcausalError:
+    """An error about a torn block: one diagnostic for the block, one for each of its worst residuals."""
+    unknowns = [leaf_name(leaf) for leaf in block.unknowns]
+    noun = "unknown" if len(unknowns) == 1 else "unknowns"
+    equations = [block.residuals[i].equation for i in worst] or block_equations(block)[:1]
+    texts = some([f"'{equation_text(e)}'" for e in equations])
+    message = f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
+    first = Diagnostic(code, message, equations[0].flat.span, tuple(unknowns), hint)
+    rest = [
+        Diagnostic(code, f"involved as well: '{equation_text(e)}'", e.flat.span, tuple(symbols((e.left, e.right))))
+        for e in equations[1:_SHOWN]
+    ]
+    return kind([first, *rest])
+
+
+def crossing_text(crossing: ZeroCrossing) -> str:
+    """`x < 1 (file:line)`."""
+    return f"'{to_text(crossing.relation)}' ({place(crossing.span)})"
+
+
+def place(span: Span) -> str:
+    return f"{span.file}:{span.line}"

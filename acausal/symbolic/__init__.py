@@ -1,0 +1,1 @@
+"""The symbolic core: from FlatModel to CausalSystem."""

@@ -1,0 +1,81 @@
+"""What alias elimination can find wrong: contradictions and equations that say nothing new."""
+
+from __future__ import annotations
+
+from acausal.errors import BalanceProblem, Diagnostic
+from acausal.lang.flat import Equation, FlatModel
+from acausal.symbolic.alias_classes import Classes, Link
+from acausal.symbolic.attributes import same_value
+from acausal.symbolic.describe import base_name, equation_text, equation_with_place, listed
+from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.leaves import all_leaves
+from acausal.symbolic.parameters import ParameterValues
+
+
+def redundant_link(flat: FlatModel, classes: Classes, link: Link) -> BalanceProblem:
+    """An alias equation between two variables that are aliases already: name the loop."""
+    around = [flat.equations[other.equation] for other in classes.path(link.a, link.b)]
+    names = [link.a]
+    for other in classes.path(link.a, link.b):
+        names.append(other.b if other.a == names[-1] else other.a)
+    loop = listed([equation_with_place(equation) for equation in around])
+    return _surplus(flat.equations[link.equation], tuple(names), f"it already follows from {loop}")
+
+
+def _surplus(equation: Equation, names: tuple[str, ...], why: str) -> BalanceProblem:
+    return BalanceProblem(
+        Diagnostic(
+            "alias.loop",
+            f"the equation '{equation_text(equation)}' determines nothing: {why}",
+            equation.span,
+            names,
+            "remove it, or replace it by the equation that is missing elsewhere",
+        )
+    )
+
+
+def two_values(
+    flat: FlatModel, values: ParameterValues, equation: int, name: str, value: Expr, other: tuple[Expr, int]
+) -> BalanceProblem:
+    """`name` gets `value` from one equation and another value from another one."""
+    first, second = flat.equations[equation], flat.equations[other[1]]
+    if same_value(value, other[0], values):
+        why = f"'{name}' = {to_text(value)} already follows from {equation_with_place(second)}"
+        return _surplus(first, _names(first), why)
+    return BalanceProblem(
+        [
+            Diagnostic(
+                "alias.contradiction",
+                f"the equation '{equation_text(one)}' contradicts {equation_with_place(two)}: "
+                f"'{name}' would be both {to_text(mine)} and {to_text(its)}",
+                one.span,
+                tuple(dict.fromkeys((name, *_names(one)))),
+                "remove one of the two equations",
+            )
+            for one, mine, two, its in ((first, value, second, other[0]), (second, other[0], first, value))
+        ]
+    )
+
+
+def no_unknown_left(
+    flat: FlatModel, values: ParameterValues, equation: int, left: Expr, right: Expr
+) -> BalanceProblem:
+    """After elimination both sides are known: the equation is either false or says nothing."""
+    source = flat.equations[equation]
+    reduced = f"{to_text(left)} = {to_text(right)}"
+    if same_value(left, right, values) is not False:
+        return _surplus(source, _names(source), f"with the other equations it reads {reduced}")
+    return BalanceProblem(
+        Diagnostic(
+            "alias.contradiction",
+            f"the equation '{equation_text(source)}' cannot hold: with the other equations it reads {reduced}",
+            source.span,
+            _names(source),
+            "correct this equation; no values of its variables satisfy it",
+        )
+    )
+
+
+def _names(equation: Equation) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right])))

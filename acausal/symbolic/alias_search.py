@@ -1,0 +1,311 @@
+"""The search behind alias elimination: rounds of finding aliases and substituting where they occur."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from acausal.errors import BalanceProblem, fail
+from acausal.lang.flat import Equation, FlatModel, Variability, Variable
+from acausal.symbolic.alias_classes import Classes, Link, Pinned
+from acausal.symbolic.alias_errors import no_unknown_left, redundant_link, two_values
+from acausal.symbolic.attributes import representative_key, signed
+from acausal.symbolic.describe import ReductionProblem, base_name, equation_text
+from acausal.symbolic.expressions.diff import NotDifferentiable
+from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, der, div, neg, sub, sym
+from acausal.symbolic.expressions.linear import linear_coefficient
+from acausal.symbolic.expressions.simplify import split_factor
+from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
+from acausal.symbolic.parameters import ParameterValues
+
+
+def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
+    """The typed error for an equation that had to be differentiated."""
+    what = to_text(problem.expr)
+    error = fail(
+        ReductionProblem,
+        "reduction.not-differentiable",
+        f"the equation '{equation_text(equation)}' must be differentiated, but '{what}' "
+        f"cannot be: {problem.reason}",
+        equation.span,
+        names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
+        hint="prescribe it by something differentiable (a ramp without jump), or state that it is with smooth(n, ...)",
+    )
+    return ReductionProblem(error.diagnostics)
+
+
+class AliasSearch:
+    """The working memory of alias elimination: current equations, classes, named derivatives."""
+
+    def __init__(self, flat: FlatModel, values: ParameterValues) -> None:
+        self.flat = flat
+        self.values = values
+        self.classes = Classes()
+        self.left = [equation.left for equation in flat.equations]
+        self.right = [equation.right for equation in flat.equations]
+        self.live = [True] * len(flat.equations)
+        self.level = [0] * len(flat.equations)
+        self.named: dict[str, str] = {}
+        self.named_by: dict[str, int] = {}
+        self.current: dict[str, Expr] = {}
+        """Per eliminated variable what stands for it now."""
+        self.differentiated: dict[str, None] = {}
+        self._chain_classes = Classes()
+        self._taken: dict[str, str] = {}
+        """v -> x for every named derivative."""
+        self._position = {v.name: i for i, v in enumerate(flat.variables)}
+        self._unknown = {v.name: v for v in flat.variables if v.is_unknown and not is_input(v)}
+        self._leaves: list[tuple[Expr, ...]] = [()] * len(flat.equations)
+        self._occurrences: dict[str, list[int]] = {}
+        self._candidates: dict[int, None] = {}
+        """Equations that look like v = der(x)."""
+
+    def order(self, entry: tuple[str, str]) -> int:
+        """Declaration order of a named derivative."""
+        return self._position[entry[0]]
+
+    def determined(self, flat: FlatModel) -> tuple[Variable, ...]:
+        """Variables the equations determine, as `flat` (with other attributes) declares them."""
+        return tuple(v for v in flat.variables if v.name in self._unknown)
+
+    def derivative_leaf(self, x: str) -> Expr:
+        """`der(x)` as a leaf, whatever its name."""
+        return der(sym(x))
+
+    def roots(self) -> list[str]:
+        """One member of every class of more than one variable or with a value: its representative."""
+        seen: dict[str, str] = {}
+        for name in sorted(self.current, key=self._position.__getitem__):
+            root, _ = self.classes.find(name)
+            if root not in seen:
+                seen[root] = self._representative(self.classes.of(root).members)
+        return list(seen.values())
+
+    def run(self) -> None:
+        """Eliminate until nothing changes."""
+        changed = self._rewrite(dict.fromkeys(range(len(self.live))), {})
+        while changed:
+            touched = self._find(changed)
+            changed = self._substitute(touched)
+            if not changed:
+                changed = self._name_derivatives()
+
+    # ------------------------------------------------------------------ finding
+
+    def _find(self, equations: Iterable[int]) -> dict[str, None]:
+        """Put the aliases among `equations` into classes; the names whose class changed."""
+        touched: dict[str, None] = {}
+        for i in equations:
+            leaves = self._leaves[i]
+            if not self.live[i] or len(leaves) > 2:
+                continue
+            if not leaves:
+                raise no_unknown_left(self.flat, self.values, i, self.left[i], self.right[i])
+            if len(leaves) == 1 and leaves[0].op == "sym":
+                self._find_constant(i, leaves[0], touched)
+            elif len(leaves) == 2:
+                self._find_pair(i, leaves, touched)
+        return touched
+
+    def _find_constant(self, i: int, leaf: Expr, touched: dict[str, None]) -> None:
+        value = self._solved(self.left[i], self.right[i], leaf)
+        if value is None or not self._is_parametric(value):
+            return
+        known = self.classes.value(leaf.name)
+        if known is not None:
+            raise self._two_values(i, leaf.name, value, known)
+        self.classes.pin(Pinned(leaf.name, value, i), self.level[i])
+        self.live[i] = False
+        touched[leaf.name] = None
+
+    def _solved(self, left: Expr, right: Expr, leaf: Expr) -> Expr | None:
+        """The value of `leaf` if the equation gives it without dividing by anything but a literal."""
+        for one, other in ((left, right), (right, left)):
+            if one is leaf and leaf not in all_leaves([other]):
+                return other
+        if self._unknown[leaf.name].type.name != "Real":
+            return None
+        parts = linear_coefficient(sub(left, right), leaf)
+        if parts is None or parts[0].op != "const" or parts[0].number == 0:
+            return None
+        return neg(div(parts[1], parts[0]))
+
+    def _is_parametric(self, value: Expr) -> bool:
+        variables = self.flat.by_name
+        return all(
+            leaf.op == "sym"
+            and leaf is not TIME
+            and leaf.name in variables
+            and not variables[leaf.name].is_unknown
+            for leaf in all_leaves([value])
+        )
+
+    def _find_pair(self, i: int, leaves: tuple[Expr, ...], touched: dict[str, None]) -> None:
+        sign = self._sign_of_pair(self.left[i], self.right[i])
+        if sign is None:
+            return
+        a, b = leaves
+        if a.op != "sym" or b.op != "sym":
+            if sign > 0:
+                self._candidates[i] = None
+            return
+        first, second = self._unknown[a.name], self._unknown[b.name]
+        if first.type != second.type or first.variability != second.variability:
+            return
+        if sign < 0 and first.type.name not in ("Real", "Integer"):
+            return
+        self._link(Link(a.name, b.name, sign, i), touched)
+
+    def _sign_of_pair(self, left: Expr, right: Expr) -> int | None:
+        """+1 for a = b, -1 for a = -b (also as sums, also with equal literal factors), else None."""
+        if left.op in ("sym", "der") and right.op in ("sym", "der"):
+            return 1
+        difference = sub(left, right)
+        if difference.op != "add" or len(difference.args) != 2:
+            return None
+        (fa, a), (fb, b) = (split_factor(term) for term in difference.args)
+        if a is None or b is None or a.op not in ("sym", "der") or b.op not in ("sym", "der"):
+            return None
+        return None if abs(fa) != abs(fb) else (1 if fa == -fb else -1)
+
+    def _link(self, link: Link, touched: dict[str, None]) -> None:
+        (root_a, sign_a), (root_b, sign_b) = self.classes.find(link.a), self.classes.find(link.b)
+        if root_a == root_b:
+            if sign_a == link.sign * sign_b or self.classes.value(link.a) is not None:
+                raise redundant_link(self.flat, self.classes, link)
+            self.classes.pin(Pinned(link.a, ZERO, link.equation), self.level[link.equation])
+        else:
+            first, second = self.classes.value(link.a), self.classes.value(link.b)
+            if first is not None and second is not None:
+                raise self._two_values(link.equation, link.a, signed(second, link.sign), first)
+            self.classes.link(link, self.level[link.equation])
+        self.live[link.equation] = False
+        touched[link.a] = None
+
+    def _two_values(self, i: int, name: str, value: Expr, known: Expr) -> BalanceProblem:
+        pinned = self.classes.of(name).pinned
+        other = i if pinned is None else pinned.equation
+        return two_values(self.flat, self.values, i, name, value, (known, other))
+
+    # ------------------------------------------------------------------ substituting
+
+    def _representative(self, members: Iterable[str]) -> str:
+        def key(name: str) -> tuple[object, ...]:
+            return representative_key(self._unknown[name], name in self.differentiated, self._position[name])
+
+        return min(members, key=key)
+
+    def _substitute(self, touched: Iterable[str]) -> list[int]:
+        """Replace the members of the touched classes; the equations that changed."""
+        values: dict[Expr, Expr] = {}
+        levels: dict[str, int] = {}
+        for root in dict.fromkeys(self.classes.find(name)[0] for name in touched):
+            group = self.classes.of(root)
+            chosen = self._representative(group.members)
+            own_sign = self.classes.find(chosen)[1]
+            moving = sum(name in self.differentiated for name in group.members)
+            level = group.level + 1 if moving > 1 or (moving and group.pinned) else 0
+            for name in group.members:
+                value = self.classes.value(name)
+                if value is None:
+                    value = signed(sym(chosen), own_sign * self.classes.find(name)[1])
+                if value is not sym(name) and self.current.get(name) is not value:
+                    values[sym(name)] = self.current[name] = value
+                    levels[name] = level
+                elif value is sym(name):
+                    self.current.pop(name, None)
+        return self._apply(values, levels)
+
+    def _apply(self, values: dict[Expr, Expr], levels: dict[str, int]) -> list[int]:
+        self._restore_named(levels)
+        equations: dict[int, None] = {}
+        for name, level in levels.items():
+            for i in self._occurrences.get(name, ()):
+                equations[i] = None
+                if level and any(leaf.op == "der" and base_name(leaf) == name for leaf in self._leaves[i]):
+                    self.level[i] = max(self.level[i], level)
+        return self._rewrite(dict.fromkeys(sorted(equations)), values)
+
+    def _restore_named(self, eliminated: dict[str, int]) -> None:
+        """Take back the names of derivatives that touch an eliminated variable: their equations live again."""
+        for name in eliminated:
+            for x in (name, self._taken.get(name)):
+                if x is None or x not in self.named:
+                    continue
+                v, i = self.named.pop(x), self.named_by.pop(x)
+                del self._taken[v]
+                self.left[i], self.right[i] = sym(v), der(sym(x))
+                self._leaves[i] = (sym(v), der(sym(x)))
+                self.live[i] = True
+                for occurring in (x, v):
+                    self._occurrences.setdefault(occurring, []).append(i)
+
+    def _rewrite(self, equations: Iterable[int], values: dict[Expr, Expr]) -> list[int]:
+        """Rewrite equations with `values` and the named derivatives; those still live."""
+        rewrite = Rewriter(values, Chains(self.flat.by_name, self.named), self.values.lookup)
+        changed: list[int] = []
+        for i in equations:
+            if not self.live[i]:
+                continue
+            flat = self.flat.equations[i]
+            self.left[i], self.right[i] = self.rewritten(rewrite, self.left[i], self.right[i], flat)
+            self._update_leaves(i)
+            changed.append(i)
+        return changed
+
+    def rewritten(self, rewrite: Rewriter, left: Expr, right: Expr, flat: Equation) -> tuple[Expr, Expr]:
+        """Both sides of an equation rewritten, with a typed error where `der(...)` does not exist."""
+        try:
+            return rewrite(left), rewrite(right)
+        except NotDifferentiable as problem:
+            raise not_differentiable(problem, flat) from None
+
+    def _update_leaves(self, i: int) -> None:
+        before = {base_name(leaf) for leaf in self._leaves[i]}
+        found: list[Expr] = []
+        for leaf in all_leaves([self.left[i], self.right[i]]):
+            name = base_name(leaf)
+            if leaf.op == "pre" or name not in self._unknown:
+                continue
+            found.append(leaf)
+            if leaf.op == "der":
+                self.differentiated[name] = None
+            if name not in before:
+                before.add(name)
+                self._occurrences.setdefault(name, []).append(i)
+        self._leaves[i] = tuple(found)
+
+    # ------------------------------------------------------------------ naming derivatives
+
+    def _name_derivatives(self) -> list[int]:
+        """Let v be the derivative of x where an equation v = der(x) says so; the equations that changed."""
+        equations: dict[int, None] = {}
+        for i in sorted(self._candidates):
+            pair = self._named_pair(i) if self.live[i] else None
+            if pair is None:
+                continue
+            x, v = pair
+            self.named[x], self.named_by[x], self._taken[v] = v, i, x
+            self._chain_classes.link(Link(x, v, 1, i), 0)
+            self.live[i] = False
+            equations.update(dict.fromkeys(self._occurrences[x]))
+        self._candidates = {}
+        return self._rewrite(sorted(equations), {})
+
+    def _named_pair(self, i: int) -> tuple[str, str] | None:
+        leaves = self._leaves[i]
+        if len(leaves) != 2 or self._sign_of_pair(self.left[i], self.right[i]) != 1:
+            return None
+        v, slope = leaves if leaves[0].op == "sym" else leaves[::-1]
+        if v.op != "sym" or slope.op != "der" or slope.args[0].op != "sym":
+            return None
+        x = slope.args[0].name
+        if (
+            x in self.named
+            or v.name in self._taken
+            or self._unknown[v.name].variability < Variability.CONTINUOUS
+        ):
+            return None
+        if self._chain_classes.find(x)[0] == self._chain_classes.find(v.name)[0]:
+            return None
+        return x, v.name

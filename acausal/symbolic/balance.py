@@ -1,0 +1,144 @@
+"""Is there one equation for every unknown? Counting and structure, before anything is transformed.
+
+The structure is that of Pantelides' solvability condition: x and all its derivatives are one unknown, and an
+equation can only determine what it holds outside conditions. Where no complete assignment of equations to
+unknowns exists, the Dulmage-Mendelsohn decomposition gives the parts with too many and too few equations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from acausal.errors import BalanceProblem, Diagnostic
+from acausal.lang.flat import Equation, FlatModel, Origin, Variable
+from acausal.symbolic.describe import SHOWN, equation_text, equation_with_place, listed, place
+from acausal.symbolic.expressions.expr import Expr, symbols
+from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose
+from acausal.symbolic.graphs.matching import Matching, maximum_matching
+from acausal.symbolic.graphs.types import Eq, Var
+from acausal.symbolic.leaves import determined, value_leaves
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Which equation holds which unknown, derivatives counted as the variable itself."""
+
+    equations: tuple[Equation, ...]
+    unknowns: tuple[Variable, ...]
+    incidence: tuple[tuple[Var, ...], ...]
+
+
+def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[Variable, ...]) -> Structure:
+    """The collapsed incidence of (flat equation, left, right); O(nodes)."""
+    index = {v.name: Var(i) for i, v in enumerate(unknowns)}
+    rows: list[tuple[Var, ...]] = []
+    for _, left, right in equations:
+        names: dict[str, None] = {}
+        for leaf in value_leaves([left, right]):
+            if leaf.op == "sym":
+                names[leaf.name] = None
+            elif leaf.op == "der":
+                names.update(dict.fromkeys(symbols([leaf])))
+        rows.append(tuple(index[name] for name in names if name in index))
+    return Structure(tuple(flat for flat, _, _ in equations), unknowns, tuple(rows))
+
+
+def check_balance(flat: FlatModel) -> None:
+    """Every equation must be able to determine an unknown of its own, and none may be left over.
+
+    O(V E) at worst, near-linear in practice. Raises BalanceProblem `balance.too-many-equations`,
+    `balance.too-few-equations` or `balance.structurally-singular`.
+    """
+    require_complete(structure([(e, e.left, e.right) for e in flat.equations], determined(flat)), flat.name)
+
+
+def require_complete(system: Structure, model: str) -> None:
+    """As `check_balance`, for any stage's equations."""
+    matching = maximum_matching(system.incidence, len(system.unknowns))
+    n_equations, n_unknowns = len(system.equations), len(system.unknowns)
+    if matching.size == n_equations == n_unknowns:
+        return
+    raise BalanceProblem(_diagnostics(system, matching, model))
+
+
+def _diagnostics(system: Structure, matching: Matching, model: str) -> list[Diagnostic]:
+    n_equations, n_unknowns = len(system.equations), len(system.unknowns)
+    if n_equations > n_unknowns:
+        code = "balance.too-many-equations"
+    elif n_equations < n_unknowns:
+        code = "balance.too-few-equations"
+    else:
+        code = "balance.structurally-singular"
+    counts = f"{model} has {n_equations} equations for {n_unknowns} unknowns"
+    if n_equations == n_unknowns:
+        counts += ", but they are structurally singular"
+    parts = decompose(system.incidence, matching)
+    over = _over(system, parts.over, matching, code, counts) if parts.over.equations else []
+    under = _under(system, parts.under, matching, code, counts) if parts.under.variables else []
+    return under + over if n_equations < n_unknowns else over + under
+
+
+def _over(system: Structure, part: Part, matching: Matching, code: str, counts: str) -> list[Diagnostic]:
+    """One diagnostic for each equation of the over-determined part, the surplus ones first."""
+    surplus = [eq for eq in part.equations if matching.var_of_eq[eq] is None]
+    suspects = sorted(part.equations, key=lambda eq: _suspicion(system, eq, surplus))
+    names = tuple(system.unknowns[v].name for v in part.variables)
+    texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
+    what = f"the unknowns {listed(names)}" if names else "no unknown"
+    why = f"{counts}: {len(part.equations)} equations determine {what} ({len(names)}): {listed(texts)}"
+    hint = _hint_over(system, part)
+    result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, hint)]
+    for eq in suspects[1:SHOWN]:
+        equation = system.equations[eq]
+        message = f"'{equation_text(equation)}' belongs to the {len(part.equations)} equations in conflict"
+        result.append(Diagnostic(code, message, equation.span, names[:SHOWN], "it may be the one too many"))
+    return result
+
+
+def _suspicion(system: Structure, eq: Eq, surplus: list[Eq]) -> tuple[bool, bool, int]:
+    equation = system.equations[eq]
+    generated = equation.origin in (Origin.FLOW_BALANCE, Origin.UNCONNECTED)
+    return generated, eq not in surplus, eq
+
+
+def _hint_over(system: Structure, part: Part) -> str:
+    number = len(part.equations) - len(part.variables)
+    remove = f"remove {'one' if number == 1 else number} of these equations"
+    zero = [system.equations[eq] for eq in part.equations if system.equations[eq].origin is Origin.UNCONNECTED]
+    if zero:
+        return (
+            f"{remove}, or connect what is not connected: "
+            + listed([f"'{equation_text(equation)}'" for equation in zero])
+            + " stands for an unconnected connector"
+        )
+    if any(system.equations[eq].origin is Origin.CONNECTION for eq in part.equations):
+        return f"{remove}, or one of the connections: two sources may prescribe the same quantity"
+    return remove
+
+
+def _under(system: Structure, part: Part, matching: Matching, code: str, counts: str) -> list[Diagnostic]:
+    """One diagnostic for each variable of the under-determined part, the unmatched ones first."""
+    free = [v for v in part.variables if matching.eq_of_var[v] is None]
+    ordered = [*free, *(v for v in part.variables if matching.eq_of_var[v] is not None)]
+    variables = [system.unknowns[v] for v in ordered]
+    names = tuple(v.name for v in variables)
+    texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
+    by = f"only {len(texts)} equations: {listed(texts)}" if texts else "no equation at all"
+    why = f"{counts}: the unknowns {listed(names)} ({len(names)}) are determined by {by}"
+    hint = _hint_under(variables, len(free))
+    result = [Diagnostic(code, why, variables[0].span, names, hint)]
+    for variable in variables[1:SHOWN]:
+        message = f"'{variable.name}' ({place(variable.span)}) belongs to the unknowns without enough equations"
+        result.append(Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined"))
+    return result
+
+
+def _hint_under(variables: list[Variable], number: int) -> str:
+    add = f"add {'an equation' if number == 1 else f'{number} equations'} for {'one' if number == 1 else 'some'} of them"
+    connectors = [v.name.rsplit(".", 1)[0] for v in variables if v.flow and "." in v.name]
+    if connectors:
+        return f"{add}, or connect {listed(list(dict.fromkeys(connectors)))}"
+    if any(not v.top_level for v in variables):
+        return f"{add}, or make them parameters or inputs; a connection may be missing"
+    return f"{add}, or make them parameters or inputs"

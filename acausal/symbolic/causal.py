@@ -1,0 +1,155 @@
+"""CausalSystem: states chosen, blocks ordered, loops torn, events separated, initial problem separate.
+
+An *unknown* is an expression leaf: a symbol `x`, its derivative `der(x)`, or a higher one `der(der(x))`.
+A *dummy derivative* is such a `der(x)` that is solved for like any algebraic variable. Evaluating the
+dynamic system at (time, states, parameters, modes) means running `blocks` in order; each gives the values
+of its unknowns, and at the end every unknown and every `der(state)` is known.
+
+A *mode* is the Boolean value of one zero crossing's relation. It is an input to the equations: constant
+between events, updated at events, so that the equations stay smooth while the solver steps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+
+from acausal.errors import Span
+from acausal.lang.flat import Assertion, Equation, FlatModel
+from acausal.symbolic.expressions.expr import Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Alias:
+    """An eliminated variable: `name = value`, where `value` is another unknown's symbol, its negation,
+    or an expression in constants, parameters only."""
+
+    name: str
+    value: Expr
+    equation: Equation
+    """The equation that says so."""
+
+
+@dataclass(frozen=True, slots=True)
+class CausalEquation:
+    """An equation after alias elimination; `differentiations` times differentiated from a flat equation."""
+
+    left: Expr
+    right: Expr
+    flat: Equation
+    differentiations: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Assignment:
+    """`unknown := value`, solved from one equation."""
+
+    unknown: Expr
+    value: Expr
+    equation: CausalEquation
+
+
+@dataclass(frozen=True, slots=True)
+class Residual:
+    """`value` must be zero; what is left of a torn block."""
+
+    value: Expr
+    equation: CausalEquation
+
+
+class BlockKind(Enum):
+    EXPLICIT = "explicit"
+    LINEAR = "linear"
+    NONLINEAR = "nonlinear"
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """One strong component, torn: guess `tearing`, run `assignments` in order, drive `residuals` to zero.
+
+    Explicit blocks have one assignment and no tearing. Linear blocks are linear in their tearing
+    variables for any value of everything known before the block.
+    """
+
+    kind: BlockKind
+    assignments: tuple[Assignment, ...]
+    tearing: tuple[Expr, ...] = ()
+    residuals: tuple[Residual, ...] = ()
+
+    @property
+    def unknowns(self) -> tuple[Expr, ...]:
+        return self.tearing + tuple(a.unknown for a in self.assignments)
+
+    @property
+    def size(self) -> int:
+        """Number of scalar equations before tearing."""
+        return len(self.assignments) + len(self.tearing)
+
+
+@dataclass(frozen=True, slots=True)
+class ZeroCrossing:
+    """An event: `relation` (one of `< <= > >=` between Reals) changes its value outside noEvent and smooth."""
+
+    relation: Expr
+    equation: CausalEquation | None
+    """The first equation that holds it (None: an assertion)."""
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class InitialValue:
+    """One start value in the initial problem: `name = start`."""
+
+    name: str
+    value: Expr
+    reason: str
+    """`fixed`, `assumed` (not fixed, but needed: used as an initial equation) or `guess` (iteration start)."""
+
+
+@dataclass(frozen=True, slots=True)
+class InitialProblem:
+    """Gives the states, all other unknowns and parameters with `fixed = false` at the start time.
+
+    `blocks` are evaluated in order like the dynamic ones, knowing only time and parameters. `checks` are
+    equations (redundant with the rest) that must hold to tolerance at the result. `values` is the report:
+    which starts were used and how.
+    """
+
+    blocks: tuple[Block, ...]
+    values: tuple[InitialValue, ...]
+    checks: tuple[Residual, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class StateChoice:
+    """Why a variable is a state or a dummy derivative, for the explanation."""
+
+    name: str
+    is_state: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class CausalSystem:
+    """The causalised model; see the module's text for how it is evaluated."""
+
+    flat: FlatModel
+    parameters: tuple[str, ...]
+    """Parameters and constants in an order in which each binding uses earlier ones only."""
+    aliases: tuple[Alias, ...]
+    equations: tuple[CausalEquation, ...]
+    """All after alias elimination and index reduction, differentiated ones included."""
+    states: tuple[str, ...]
+    dummy_derivatives: tuple[Expr, ...]
+    index: int
+    """contract.md: 0 explicit ODE, 1 with algebraic parts, +1 per level of differentiation."""
+    blocks: tuple[Block, ...]
+    zero_crossings: tuple[ZeroCrossing, ...]
+    assertions: tuple[Assertion, ...]
+    initial: InitialProblem
+    choices: tuple[StateChoice, ...] = ()
+
+    @cached_property
+    def alias_values(self) -> dict[str, Expr]:
+        return {alias.name: alias.value for alias in self.aliases}

@@ -1,0 +1,61 @@
+"""Words for messages of the symbolic passes: equations, variables and lists of them, cut to a readable length."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from acausal.errors import AcausalError, Span
+from acausal.lang.flat import Equation, Origin
+from acausal.symbolic.causal import CausalEquation
+from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.text import to_text
+
+SHOWN = 5
+"""How many names or equations a message lists before it says `and N more`."""
+
+
+class ReductionProblem(AcausalError):
+    """Index reduction or state selection is impossible: a jump in a prescribed quantity, redundant constraints."""
+
+
+def equation_text(equation: Equation | CausalEquation) -> str:
+    """`left = right` as Modelica text."""
+    return f"{to_text(equation.left)} = {to_text(equation.right)}"
+
+
+def place(span: Span) -> str:
+    """`line 12`, with the file only where it helps: `Tank.mo:12`."""
+    return f"{span.file}:{span.line}"
+
+
+def equation_with_place(equation: Equation) -> str:
+    """`0 = a + b (Tank.mo:12, connection in tank)`."""
+    where = place(equation.span)
+    if equation.origin is not Origin.EQUATION:
+        where += f", {equation.origin.value}"
+    if equation.component:
+        where += f" in {equation.component}"
+    return f"'{equation_text(equation)}' ({where})"
+
+
+def listed(items: Sequence[str], shown: int = SHOWN) -> str:
+    """`a, b, c and 4 more`."""
+    more = f" and {len(items) - shown} more" if len(items) > shown else ""
+    return ", ".join(items[:shown]) + more
+
+
+def leaf_texts(leaves: Iterable[Expr]) -> tuple[str, ...]:
+    """Leaves as text."""
+    return tuple(to_text(leaf) for leaf in leaves)
+
+
+def base_name(leaf: Expr) -> str:
+    """The variable of a leaf: `x` of `x`, `der(x)`, `der(der(x))` and `pre(x)`."""
+    while leaf.op != "sym":
+        leaf = leaf.args[0]
+    return leaf.name
+
+
+def dots(name: str) -> int:
+    """How deep in the component tree a variable is declared."""
+    return name.count(".")

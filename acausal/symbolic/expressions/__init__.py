@@ -1,0 +1,1 @@
+"""Expressions: one hash-consed scalar expression for flattening, index reduction, code and printing."""

@@ -1,0 +1,135 @@
+"""The operator table: per-operator knowledge that several modules need, beside tiny functions.
+
+`OPERATORS` lists every operator a scalar expression can have. Derivative rules live in `diff`, CasADi
+constructors in `acausal.codegen.casadi_expressions`; both are tables keyed by the same names, and a test
+checks that they are complete.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+Shape = Literal["leaf", "nary", "binary", "unary", "relation", "logical", "if", "wrap", "function", "call"]
+
+
+@dataclass(frozen=True)
+class Operator:
+    """`name`; `arity` (None: any); `text` as printed; `precedence` as in Modelica (higher binds tighter)."""
+
+    name: str
+    shape: Shape
+    arity: int | None
+    text: str
+    precedence: int
+    evaluate: Callable[..., Any] | None = None
+    """Numeric value from the arguments' numeric values; None where it needs more than values."""
+
+
+def _divide(a: float, b: float) -> float:
+    if b == 0:
+        raise ZeroDivisionError("division by zero")
+    return a / b
+
+
+def _power(a: float, b: float) -> float:
+    result = a**b
+    if isinstance(result, complex):
+        raise ValueError(f"{a} to the power {b} is not a real number")
+    return float(result)
+
+
+def _sum(*args: float) -> float:
+    total = args[0]
+    for arg in args[1:]:
+        total = total + arg
+    return total
+
+
+def _product(*args: float) -> float:
+    total = args[0]
+    for arg in args[1:]:
+        total = total * arg
+    return total
+
+
+def _sign(a: float) -> int:
+    return (a > 0) - (a < 0)
+
+
+def _div(a: float, b: float) -> float:
+    if isinstance(a, int) and isinstance(b, int):
+        quotient = abs(a) // abs(b)
+        return quotient if (a >= 0) == (b >= 0) else -quotient
+    return float(math.trunc(a / b))
+
+
+def _mod(a: float, b: float) -> float:
+    return a - math.floor(a / b) * b
+
+
+def _rem(a: float, b: float) -> float:
+    return a - _div(a, b) * b
+
+
+def _function(name: str, arity: int | None, evaluate: Callable[..., Any]) -> Operator:
+    return Operator(name, "function", arity, name, 100, evaluate)
+
+
+_TABLE = (
+    Operator("const", "leaf", 0, "", 100),
+    Operator("sym", "leaf", 0, "", 100),
+    Operator("der", "wrap", 1, "der", 100),
+    Operator("pre", "wrap", 1, "pre", 100),
+    Operator("noEvent", "wrap", 1, "noEvent", 100, lambda a: a),
+    Operator("smooth", "wrap", 1, "smooth", 100, lambda a: a),
+    Operator("call", "call", None, "", 100),
+    Operator("if", "if", 3, "if", 0, lambda c, a, b: a if c else b),
+    Operator("or", "logical", None, "or", 1, lambda *a: any(a)),
+    Operator("and", "logical", None, "and", 2, lambda *a: all(a)),
+    Operator("not", "logical", 1, "not", 3, operator.not_),
+    Operator("lt", "relation", 2, "<", 4, operator.lt),
+    Operator("le", "relation", 2, "<=", 4, operator.le),
+    Operator("gt", "relation", 2, ">", 4, operator.gt),
+    Operator("ge", "relation", 2, ">=", 4, operator.ge),
+    Operator("eq", "relation", 2, "==", 4, operator.eq),
+    Operator("ne", "relation", 2, "<>", 4, operator.ne),
+    Operator("add", "nary", None, "+", 5, _sum),
+    Operator("neg", "unary", 1, "-", 5, operator.neg),
+    Operator("mul", "nary", None, "*", 6, _product),
+    Operator("div", "binary", 2, "/", 6, _divide),
+    Operator("pow", "binary", 2, "^", 7, _power),
+    _function("sin", 1, math.sin),
+    _function("cos", 1, math.cos),
+    _function("tan", 1, math.tan),
+    _function("asin", 1, math.asin),
+    _function("acos", 1, math.acos),
+    _function("atan", 1, math.atan),
+    _function("atan2", 2, math.atan2),
+    _function("sinh", 1, math.sinh),
+    _function("cosh", 1, math.cosh),
+    _function("tanh", 1, math.tanh),
+    _function("exp", 1, math.exp),
+    _function("log", 1, math.log),
+    _function("log10", 1, math.log10),
+    _function("sqrt", 1, math.sqrt),
+    _function("abs", 1, abs),
+    _function("sign", 1, _sign),
+    _function("min", 2, min),
+    _function("max", 2, max),
+    _function("floor", 1, lambda a: float(math.floor(a))),
+    _function("ceil", 1, lambda a: float(math.ceil(a))),
+    _function("integer", 1, math.floor),
+    _function("idiv", 2, _div),
+    _function("mod", 2, _mod),
+    _function("rem", 2, _rem),
+)
+
+OPERATORS: dict[str, Operator] = {entry.name: entry for entry in _TABLE}
+RELATIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
+NEGATED_RELATION = {"lt": "ge", "le": "gt", "gt": "le", "ge": "lt", "eq": "ne", "ne": "eq"}
+EVENT_FUNCTIONS = frozenset({"floor", "ceil", "integer", "idiv", "mod", "rem"})
+"""Functions that generate events outside `noEvent` (Modelica 3.6, 3.7.2)."""

@@ -1,0 +1,110 @@
+"""Expressions as Modelica text. Iterative, so that long sums and deep nests print too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from acausal.symbolic.expressions.expr import EnumValue, Expr, fold
+from acausal.symbolic.expressions.operators import OPERATORS
+
+_Piece = tuple[str, int]
+"""Text and its precedence."""
+
+_ATOM = 100
+_POWER, _PRODUCT, _SUM = 7, 6, 5
+_FUNCTION_TEXT = {"idiv": "div"}
+
+
+def plain_name(name: str) -> str:
+    return name
+
+
+def quoted_name(name: str) -> str:
+    """The Base Modelica identifier of a flat name (MCP-0031): `'cell[3].v'`; `time` stays."""
+    if name == "time":
+        return name
+    return "'" + name.replace("\\", "\\\\").replace("'", "\\'") + "'"
+
+
+def quote_string(text: str) -> str:
+    """A Modelica string literal."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def constant_text(value: object, name: Callable[[str], str] = plain_name) -> str:
+    """A literal as Modelica text."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, EnumValue):
+        return f"{name(value.type_name)}.{value.literal}"
+    if isinstance(value, str):
+        return quote_string(value)
+    if value in (float("inf"), float("-inf")):
+        return "1e999" if value == float("inf") else "-1e999"
+    return repr(value)
+
+
+def to_text(root: Expr, name: Callable[[str], str] = plain_name) -> str:
+    """The expression as Modelica text; `name` maps flat names to identifiers (`quoted_name` for Base Modelica)."""
+
+    def visit(node: Expr, args: list[_Piece]) -> _Piece:
+        return _piece(node, args, name)
+
+    return fold([root], visit)[root][0]
+
+
+def _wrap(piece: _Piece, least: int) -> str:
+    text, precedence = piece
+    return text if precedence >= least else f"({text})"
+
+
+def _piece(node: Expr, args: list[_Piece], name: Callable[[str], str]) -> _Piece:
+    op = node.op
+    if op == "sym":
+        return name(node.name), _ATOM
+    if op == "const":
+        text = constant_text(node.value, name)
+        return text, _SUM if text.startswith("-") else _ATOM
+    if op == "add":
+        return _sum_text(args), _SUM
+    if op == "neg":
+        return "-" + _wrap(args[0], _PRODUCT), _SUM
+    if op == "mul":
+        return " * ".join([_wrap(arg, _PRODUCT if i == 0 else _POWER) for i, arg in enumerate(args)]), _PRODUCT
+    if op == "div":
+        return f"{_wrap(args[0], _PRODUCT)} / {_wrap(args[1], _POWER)}", _PRODUCT
+    if op == "pow":
+        return f"{_wrap(args[0], _ATOM)} ^ {_wrap(args[1], _ATOM)}", _POWER
+    return _other(node, args)
+
+
+def _other(node: Expr, args: list[_Piece]) -> _Piece:
+    operator = OPERATORS[node.op]
+    if operator.shape == "relation":
+        return f"{_wrap(args[0], _SUM)} {operator.text} {_wrap(args[1], _SUM)}", operator.precedence
+    if node.op == "not":
+        return "not " + _wrap(args[0], 4), 3
+    if operator.shape == "logical":
+        least = operator.precedence + 1
+        return f" {operator.text} ".join([_wrap(arg, least) for arg in args]), operator.precedence
+    if node.op == "if":
+        condition, then, otherwise = (arg[0] for arg in args)
+        return f"if {condition} then {then} else {otherwise}", 0
+    inner = ", ".join([arg[0] for arg in args])
+    if node.op == "smooth":
+        return f"smooth({node.value}, {inner})", _ATOM
+    if node.op == "call":
+        return f"{node.name}({inner})", _ATOM
+    return f"{_FUNCTION_TEXT.get(node.op, operator.text)}({inner})", _ATOM
+
+
+def _sum_text(args: list[_Piece]) -> str:
+    parts = [_wrap(args[0], _SUM)]
+    for piece in args[1:]:
+        text, precedence = piece
+        if precedence == _SUM and text.startswith("-"):
+            parts.append(f" - {text[1:]}")
+        else:
+            parts.append(f" + {_wrap(piece, _PRODUCT)}")
+    return "".join(parts)

@@ -1,0 +1,146 @@
+"""Index reduction: which equations must be differentiated (Pantelides), and their exact derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from acausal.errors import fail
+from acausal.lang.flat import StateSelect, Variability
+from acausal.symbolic.alias import Simplified
+from acausal.symbolic.alias_search import not_differentiable
+from acausal.symbolic.balance import require_complete, structure
+from acausal.symbolic.causal import CausalEquation
+from acausal.symbolic.describe import ReductionProblem, base_name, equation_with_place, listed
+from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
+from acausal.symbolic.expressions.expr import ZERO, Expr, der, sym
+from acausal.symbolic.graphs.dulmage_mendelsohn import StructurallySingular
+from acausal.symbolic.graphs.pantelides import Reduction, TooManyDifferentiations, pantelides
+from acausal.symbolic.graphs.types import Var
+from acausal.symbolic.leaves import Chains, value_leaves
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """The system extended by differentiated equations; graph indices and leaves correspond by position."""
+
+    model: Simplified
+    chains: Chains
+    leaves: tuple[Expr, ...]
+    """The leaf of every variable of `reduction`."""
+    equations: tuple[CausalEquation, ...]
+    """The equation of every equation of `reduction`."""
+    reduction: Reduction
+
+    @property
+    def index_of(self) -> dict[Expr, Var]:
+        return {leaf: Var(i) for i, leaf in enumerate(self.leaves)}
+
+
+def reduce_index(model: Simplified) -> Reduced:
+    """Differentiate equations until every highest derivative has its equation.
+
+    A variable with `stateSelect = always` or `prefer` may be a state though the model never differentiates
+    it (Modelica 3.6, 4.9.7.1): its derivative is added as an unknown. If that asks for derivatives that do
+    not exist, `prefer` gives way.
+
+    Raises BalanceProblem where no differentiation helps, ReductionProblem `reduction.not-differentiable` and
+    `reduction.too-many-differentiations`.
+    """
+    wanted = _wanted(model, StateSelect.PREFER)
+    if wanted:
+        try:
+            return _reduce(model, wanted)
+        except ReductionProblem:
+            wanted = _wanted(model, StateSelect.ALWAYS)
+    return _reduce(model, wanted)
+
+
+def _wanted(model: Simplified, least: StateSelect) -> list[str]:
+    return [
+        v.name
+        for v in model.unknowns
+        if v.state_select >= least and v.variability is Variability.CONTINUOUS and v.type.name == "Real"
+    ]
+
+
+def _reduce(model: Simplified, wanted: Iterable[str]) -> Reduced:
+    chains = model.chains()
+    rows = [_unknown(value_leaves([e.left, e.right]), chains) for e in model.equations]
+    leaves, derivative_of = _variables(model, chains, rows, wanted)
+    index = {leaf: Var(i) for i, leaf in enumerate(leaves)}
+    incidence = [[index[leaf] for leaf in row] for row in rows]
+    reduction = _pantelides(model, incidence, derivative_of)
+    _name_new(leaves, reduction, chains)
+    return Reduced(model, chains, tuple(leaves), _differentiated(model, chains, reduction), reduction)
+
+
+def _unknown(leaves: Iterable[Expr], chains: Chains) -> list[Expr]:
+    return [leaf for leaf in leaves if chains.is_unknown(leaf)]
+
+
+def _variables(
+    model: Simplified, chains: Chains, rows: list[list[Expr]], wanted: Iterable[str]
+) -> tuple[list[Expr], list[Var | None]]:
+    """All leaves, variables in declaration order and then derivatives, and who is whose derivative."""
+    leaves = [sym(v.name) for v in model.unknowns]
+    index = {leaf: Var(i) for i, leaf in enumerate(leaves)}
+    used = [leaf for row in rows for leaf in row if leaf.op == "der"]
+    for leaf in (*used, *[der(sym(name)) for name in wanted if name not in chains.named]):
+        chain: list[Expr] = []
+        while leaf not in index:
+            chain.append(leaf)
+            leaf = leaf.args[0]
+        for new in reversed(chain):
+            index[new] = Var(len(leaves))
+            leaves.append(new)
+    derivative_of: list[Var | None] = []
+    for leaf in leaves:
+        higher = chains.derivative(leaf)
+        derivative_of.append(None if higher is None else index.get(higher))
+    return leaves, derivative_of
+
+
+def _pantelides(model: Simplified, incidence: list[list[Var]], derivative_of: list[Var | None]) -> Reduction:
+    try:
+        return pantelides(incidence, len(derivative_of), derivative_of)
+    except StructurallySingular:
+        system = structure([(e.flat, e.left, e.right) for e in model.equations], model.unknowns)
+        require_complete(system, f"after alias elimination {model.flat.name}")
+        raise
+    except TooManyDifferentiations as problem:
+        culprits = [model.equations[eq] for eq in problem.equations]
+        error = fail(
+            ReductionProblem,
+            "reduction.too-many-differentiations",
+            f"more than {problem.limit} differentiations needed of "
+            + listed([equation_with_place(equation.flat) for equation in culprits]),
+            culprits[0].flat.span,
+            names=[base_name(leaf) for e in culprits for leaf in value_leaves([e.left, e.right])],
+            hint="a quantity is prescribed through a very long chain of integrators",
+        )
+        raise ReductionProblem(error.diagnostics) from None
+
+
+def _name_new(leaves: list[Expr], reduction: Reduction, chains: Chains) -> None:
+    """Append the leaves of the derivatives that Pantelides' algorithm appended, in its order."""
+    integral = {d: Var(i) for i, d in enumerate(reduction.derivative_of) if d is not None}
+    for i in range(len(leaves), reduction.n_vars):
+        lower = leaves[integral[Var(i)]]
+        slope = chains.derivative(lower)
+        leaves.append(der(lower) if slope is None or slope is ZERO else slope)
+
+
+def _differentiated(model: Simplified, chains: Chains, reduction: Reduction) -> tuple[CausalEquation, ...]:
+    """The equations, and the derivatives of those that `reduction` differentiates, in its order."""
+    equations = list(model.equations)
+    derive = TimeDerivative(chains.derivative, model.values.lookup)
+    source = {d: i for i, d in enumerate(reduction.equation_derivative) if d is not None}
+    for eq in range(len(equations), len(reduction.incidence)):
+        base = equations[source[eq]]
+        try:
+            left, right = derive(base.left), derive(base.right)
+        except NotDifferentiable as problem:
+            raise not_differentiable(problem, base.flat) from None
+        equations.append(CausalEquation(left, right, base.flat, base.differentiations + 1))
+    return tuple(equations)

@@ -1,0 +1,119 @@
+"""Unknown leaves of equations and the derivative chains that connect them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from acausal.lang.flat import Causality, FlatModel, Variability, Variable
+from acausal.symbolic.describe import base_name
+from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
+from acausal.symbolic.expressions.evaluate import Lookup
+from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, rebuild, sym
+from acausal.symbolic.expressions.operators import RELATIONS
+
+
+def is_input(variable: Variable) -> bool:
+    """An input of the whole model: known from outside, so no equation determines it."""
+    return variable.causality is Causality.INPUT and variable.top_level and variable.is_unknown
+
+
+def determined(flat: FlatModel) -> tuple[Variable, ...]:
+    """The variables the equations must determine, in declaration order."""
+    return tuple(v for v in flat.variables if v.is_unknown and not is_input(v))
+
+
+def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
+    """Leaves an equation could be solved for: those outside conditions and relations. In order of appearance."""
+    found: dict[Expr, None] = {}
+    seen: set[Expr] = set()
+    stack = [*roots]
+    stack.reverse()
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        op = node.op
+        if op in ("sym", "der", "pre"):
+            found[node] = None
+        elif op == "if":
+            stack.extend((node.args[2], node.args[1]))
+        elif op not in RELATIONS:
+            stack.extend(reversed(node.args))
+    return tuple(found)
+
+
+def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
+    """Every leaf, those in conditions too. In order of appearance."""
+    found: dict[Expr, None] = {}
+    seen: set[Expr] = set()
+    stack = [*roots]
+    stack.reverse()
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node.op in ("sym", "der", "pre"):
+            found[node] = None
+        else:
+            stack.extend(reversed(node.args))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Chains:
+    """Which leaf is the time derivative of which: `der(x)`, unless an equation gave it the name `v` (v = der(x))."""
+
+    variables: Mapping[str, Variable]
+    named: Mapping[str, str]
+    """x -> v."""
+
+    def derivative(self, leaf: Expr) -> Expr | None:
+        """The derivative of a leaf; ZERO for what is constant between events, None for an input."""
+        if leaf.op == "sym":
+            variable = self.variables.get(leaf.name)
+            if variable is None or variable.variability is not Variability.CONTINUOUS:
+                return ZERO
+            if is_input(variable):
+                return None
+            name = self.named.get(leaf.name)
+            return der(leaf) if name is None else sym(name)
+        return der(leaf)
+
+    def is_unknown(self, leaf: Expr) -> bool:
+        """Whether the running system must determine the leaf."""
+        if leaf.op == "pre":
+            return False
+        variable = self.variables.get(base_name(leaf))
+        return variable is not None and variable.is_unknown and not is_input(variable)
+
+
+class Rewriter:
+    """Puts expressions for symbols and expands `der(expression)`; shares work between all calls. O(nodes)."""
+
+    def __init__(self, values: Mapping[Expr, Expr], chains: Chains, lookup: Lookup) -> None:
+        self._memo: dict[Expr, Expr] = dict(values)
+        self._chains = chains
+        self._derivative = TimeDerivative(chains.derivative, lookup)
+
+    def __call__(self, root: Expr) -> Expr:
+        """The rewritten expression. Raises `NotDifferentiable`."""
+        return fold([root], self._visit, self._memo)[root]
+
+    def _visit(self, node: Expr, args: list[Expr]) -> Expr:
+        if node.op == "der":
+            return self._differentiated(args[0])
+        new = tuple(args)
+        return node if new == node.args else rebuild(node, new)
+
+    def _differentiated(self, arg: Expr) -> Expr:
+        if arg.op not in ("sym", "der"):
+            return self._derivative(arg)
+        if arg.op == "sym" and arg.name == "time":
+            return self._derivative(arg)
+        slope = self._chains.derivative(arg)
+        if slope is None:
+            raise NotDifferentiable(arg, "it is an input")
+        return slope

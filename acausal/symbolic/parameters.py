@@ -1,0 +1,143 @@
+"""Parameters and constants: an order in which they can be computed, and their values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from acausal.errors import Diagnostic, LookupProblem, TypeProblem
+from acausal.lang.flat import FlatModel, Variable
+from acausal.symbolic.describe import place
+from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
+from acausal.symbolic.expressions.expr import Constant, Expr, symbols
+
+
+@dataclass(frozen=True)
+class ParameterValues:
+    """Values of parameters and constants as far as they are known before initialisation."""
+
+    order: tuple[str, ...]
+    values: dict[str, Constant]
+    warnings: tuple[Diagnostic, ...] = ()
+    _memo: dict[Expr, Constant] = field(default_factory=dict[Expr, Constant], compare=False, repr=False)
+
+    def lookup(self, name: str) -> Constant | None:
+        """The value of a parameter; None for other names and for what initialisation must determine."""
+        return self.values.get(name)
+
+    def constant(self, expr: Expr) -> Constant | None:
+        """The value of an expression in parameters; None if it needs anything else or cannot be computed."""
+        try:
+            return evaluate(expr, self.values.get, self._memo)
+        except (NotConstant, EvaluationFailed):
+            return None
+
+    def number(self, expr: Expr) -> float | None:
+        """`constant` as a float; None for strings and enumerations too."""
+        value = self.constant(expr)
+        return float(value) if isinstance(value, int | float) else None
+
+
+def definition(variable: Variable) -> Expr | None:
+    """What gives a parameter its value: its binding, else its start (Modelica 3.6, 8.6)."""
+    return variable.binding if variable.binding is not None else variable.start
+
+
+def order_parameters(flat: FlatModel) -> tuple[str, ...]:
+    """Parameters and constants so that each one's definition uses earlier ones only; else as declared.
+
+    Depth-first, O(size of the definitions). Raises LookupProblem `parameter.cyclic` naming the cycle.
+    """
+    uses = {v.name: _uses(v, flat) for v in flat.parameters}
+    done: dict[str, bool] = {}
+    for root in uses:
+        if root in done:
+            continue
+        done[root] = False
+        stack = [(root, iter(uses[root]))]
+        while stack:
+            name, pending = stack[-1]
+            for needed in pending:
+                if needed not in done:
+                    done[needed] = False
+                    stack.append((needed, iter(uses[needed])))
+                    break
+                if not done[needed]:
+                    path = [entry[0] for entry in stack]
+                    raise _cyclic(flat, path[path.index(needed) :])
+            else:
+                stack.pop()
+                del done[name]
+                done[name] = True  # re-inserted, so that `done` lists names in order of completion
+    return tuple(done)
+
+
+def _uses(variable: Variable, flat: FlatModel) -> tuple[str, ...]:
+    expr = definition(variable)
+    if expr is None or not variable.is_fixed:
+        return ()
+    by_name = flat.by_name
+    return tuple(name for name in symbols([expr]) if name in by_name and not by_name[name].is_unknown)
+
+
+def _cyclic(flat: FlatModel, cycle: list[str]) -> LookupProblem:
+    path = " -> ".join([*cycle, cycle[0]])
+    return LookupProblem(
+        [
+            Diagnostic(
+                "parameter.cyclic",
+                f"the value of '{name}' depends on itself: {path}",
+                flat.by_name[name].span,
+                tuple(cycle),
+                "give one of them a value that does not use the others",
+            )
+            for name in cycle
+        ]
+    )
+
+
+def parameter_values(flat: FlatModel) -> ParameterValues:
+    """Order and evaluate all parameters and constants; those with `fixed = false` have no value yet.
+
+    Raises LookupProblem `parameter.cyclic` and TypeProblem `parameter.no-value`.
+    """
+    order = order_parameters(flat)
+    known = ParameterValues(order, {})
+    missing: list[Diagnostic] = []
+    warnings: list[Diagnostic] = []
+    for name in order:
+        variable = flat.by_name[name]
+        if not variable.is_fixed:
+            continue
+        expr = definition(variable)
+        if expr is None:
+            missing.append(_no_value(variable))
+            continue
+        if variable.binding is None:
+            warnings.append(_start_used(variable))
+        value = known.constant(expr)
+        if value is not None:
+            known.values[name] = value  # where there is none, the run says why when it computes the parameter
+    if missing:
+        raise TypeProblem(missing)
+    return replace(known, warnings=tuple(warnings))
+
+
+def _no_value(variable: Variable) -> Diagnostic:
+    return Diagnostic(
+        "parameter.no-value",
+        f"the parameter '{variable.name}' has no value",
+        variable.span,
+        (variable.name,),
+        f"give it one in its declaration or set it: {variable.name} = ...",
+    )
+
+
+def _start_used(variable: Variable) -> Diagnostic:
+    return Diagnostic(
+        "parameter.start-used",
+        f"the parameter '{variable.name}' has no value; its start value is used ({place(variable.span)})",
+        variable.span,
+        (variable.name,),
+        "give it a value in its declaration",
+        "warning",
+    )

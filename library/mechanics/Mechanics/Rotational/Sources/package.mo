@@ -1,0 +1,7 @@
+within Mechanics.Rotational;
+package Sources "Prescribed torques and motions, algebraic functions of time"
+  annotation(Documentation(info = "<html>
+<p>No source adds a state. Each rises smoothly from a first to a last value; by default both are equal and the
+source is constant.</p>
+</html>"));
+end Sources;
