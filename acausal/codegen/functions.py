@@ -24,13 +24,15 @@ from acausal.symbolic.causal import Assignment, Block, CausalSystem
 from acausal.symbolic.expressions.expr import ONE, TIME, Expr, add, der, function, make, sub, sym
 
 _NOT_A_NUMBER = float("nan")
+_FLOOR = 1e-3
 
 
 @dataclass(frozen=True)
 class Checks:
     """`run(u) -> (value, size)` of the initial problem's redundant equations, from the values of `reads`.
 
-    `size` sums the terms of a linearisation, `sum_j |d value / d u_j| |u_j|`.
+    `size` sums the terms of a linearisation, `sum_j |d value / d u_j| max(|u_j|, nominal_j)`,
+    where an undeclared nominal value counts as 1e-3.
     """
 
     reads: tuple[Expr, ...]
@@ -120,7 +122,7 @@ def generate(system: CausalSystem) -> Code:
         events=compiled("events", roots),
         sizes=compiled("sizes", sizes),
         conditions=compiled("conditions", Goal("ok", tuple(a.condition for a in system.assertions), True)),
-        checks=_checks(system, initial),
+        checks=_checks(initial, nominals, system),
     )
 
 
@@ -194,11 +196,13 @@ def _jacobian(ode: Function) -> Function:
     return Function("jacobian", inputs, [jac], ode.name_in(), ["J"], FORWARD)
 
 
-def _checks(system: CausalSystem, initial: Program) -> Checks:
+def _checks(initial: Program, nominals: Nominals, system: CausalSystem) -> Checks:
     roots = [check.value for check in system.initial.checks]
     known = reads(roots, initial.slots)
+    sized = [nominals.of[leaf] for leaf in known if leaf in nominals.of]
+    known = reads([*roots, *sized], initial.slots)
     scope = Scope([("u", known)])
     value = scope.column(roots)
-    sizes = ca.fabs(scope.inputs[0])
+    sizes = ca.fmax(ca.fabs(scope.inputs[0]), nominals.column(scope, known, _FLOOR))
     total = ca.densify(ca.mtimes(ca.fabs(jacobian(value, scope.inputs[0])), sizes))
     return Checks(known, scope.function("checks", [("value", value), ("size", total)]))

@@ -51,9 +51,9 @@ class Nominals:
 
     of: dict[Expr, Expr]
 
-    def column(self, scope: Scope, unknowns: Sequence[Expr]) -> SX:
-        one = SX(1.0)
-        return column([ca.fabs(scope.convert(self.of[z])) if z in self.of else one for z in unknowns])
+    def column(self, scope: Scope, unknowns: Sequence[Expr], default: float = 1.0) -> SX:
+        other = SX(default)
+        return column([ca.fabs(scope.convert(self.of[z])) if z in self.of else other for z in unknowns])
 
 
 def stitch(program: Program, name: str, goals: Sequence[Goal], nominals: Nominals, guess: bool = False) -> Function:

@@ -162,29 +162,23 @@ def _place(sets: ConnectionSets, path: str) -> tuple[Span, str]:
 
 
 def _unconnected(sets: ConnectionSets, root: Instance) -> list[Equation]:
-    equations: list[Equation] = []
-    for leaf, component, top in _flow_leaves(root):
-        inside = (leaf.path, True)
-        if inside not in sets.place and not (top and (leaf.path, False) in sets.place):
-            equations.append(Equation(ex.sym(leaf.path), ex.ZERO, leaf.span, component, Origin.UNCONNECTED))
-        elif top:
-            continue
-    return equations
+    return [
+        Equation(ex.sym(leaf.path), ex.ZERO, leaf.span, component, Origin.UNCONNECTED)
+        for leaf, component in _flow_leaves(root)
+        if (leaf.path, True) not in sets.place
+    ]
 
 
-def _flow_leaves(root: Instance) -> list[tuple[Leaf, str, bool]]:
-    """Flow variables of all connectors, with the component that owns the connector; `top`: the model's own."""
-    found: list[tuple[Leaf, str, bool]] = []
-    stack: list[tuple[Member, str, bool]] = [(root, "", True)]
+def _flow_leaves(root: Instance) -> list[tuple[Leaf, str]]:
+    """Flow variables of all connectors, with the component that owns the connector."""
+    found: list[tuple[Leaf, str]] = []
+    stack: list[tuple[Member, str]] = [(root, "")]
     while stack:
-        member, owner, top = stack.pop()
+        member, owner = stack.pop()
         if isinstance(member, Array):
-            stack.extend((item, owner, top) for item in reversed(member.items))
+            stack.extend((item, owner) for item in reversed(member.items))
+        elif isinstance(member, Instance) and member.is_connector:
+            found += [(x, owner) for x in leaves(member) if x.prefixes.connection is Connection.FLOW]
         elif isinstance(member, Instance):
-            if member.is_connector:
-                flows = [x for x in leaves(member) if x.prefixes.connection is Connection.FLOW]
-                found += [(x, owner, top) for x in flows]
-                continue
-            below = member is root
-            stack.extend((part, member.path, below) for part in reversed(member.members.values()))
+            stack.extend((part, member.path) for part in reversed(member.members.values()))
     return found

@@ -137,8 +137,9 @@ def _to_integer(node: Expr, args: list[Kind]) -> Kind:
 
 
 def _sign(node: Expr, args: list[Kind]) -> Kind:
+    """Like `noEvent(if x > 0 ...)` (3.7.1): no event, hence not discrete."""
     _numeric(node, args)
-    return _discrete(INTEGER, args)
+    return _join(INTEGER, args)
 
 
 def _rounding(node: Expr, args: list[Kind]) -> Kind:
@@ -160,7 +161,9 @@ def _common(node: Expr, parts: tuple[Expr, ...], args: list[Kind]) -> ScalarType
         return first.type
     if first.type.is_numeric and second.type.is_numeric:
         return REAL
-    left, right = (f"{short_text(part)} is {article(arg.type)}" for part, arg in zip(parts, args, strict=True))
+    left, right = (
+        f"{short_text(part)} is {article(arg.type)}" for part, arg in zip(parts, args, strict=True)
+    )
     what = "both branches of an `if`" if node.op == "if" else f"both sides of `{OPERATORS[node.op].text}`"
     raise TypeMistake("type.mismatch", f"{what} must have one type, but {left} and {right}", node)
 
@@ -168,13 +171,15 @@ def _common(node: Expr, parts: tuple[Expr, ...], args: list[Kind]) -> ScalarType
 def _relation(node: Expr, args: list[Kind]) -> Kind:
     """Equality of Reals is judged by `verify`, which knows where the relation stands."""
     _common(node, node.args, args)
-    return _discrete(BOOLEAN, args)
+    return _join(BOOLEAN, args) if node.op in EQUALITIES else _discrete(BOOLEAN, args)
 
 
 def _logical(node: Expr, args: list[Kind]) -> Kind:
     for part, arg in zip(node.args, args, strict=True):
         if arg.type != BOOLEAN:
-            message = f"`{OPERATORS[node.op].text}` needs Booleans, but {short_text(part)} is {article(arg.type)}"
+            message = (
+                f"`{OPERATORS[node.op].text}` needs Booleans, but {short_text(part)} is {article(arg.type)}"
+            )
             raise TypeMistake("type.operand", message, node)
     return _join(BOOLEAN, args)
 
@@ -199,6 +204,7 @@ def _der(node: Expr, args: list[Kind]) -> Kind:
 
 
 def _pre(node: Expr, args: list[Kind]) -> Kind:
+    """That the variable is discrete is judged by `verify`, since initial equations may use any."""
     if node.args[0].op != "sym":
         raise TypeMistake("type.pre", f"pre needs a variable, not {short_text(node.args[0])}", node)
     return kind(args[0].type, Variability.DISCRETE)
@@ -220,6 +226,7 @@ def _call(node: Expr, _args: list[Kind]) -> Kind:
     raise TypeMistake("flat.function-call", message, node)
 
 
+EQUALITIES = frozenset({"eq", "ne"})
 _ARITHMETIC = frozenset({"add", "neg", "mul", "div", "pow"})
 _RULES: dict[str, _Rule] = {
     "const": _constant,
@@ -238,5 +245,7 @@ _RULES: dict[str, _Rule] = {
     **dict.fromkeys(RELATIONS, _relation),
     **dict.fromkeys(("min", "max"), _extreme),
     **dict.fromkeys(("floor", "ceil"), _rounding),
-    **dict.fromkeys("div pow sqrt sin cos tan asin acos atan atan2 sinh cosh tanh exp log log10".split(), _to_real),
+    **dict.fromkeys(
+        "div pow sqrt sin cos tan asin acos atan atan2 sinh cosh tanh exp log log10".split(), _to_real
+    ),
 }

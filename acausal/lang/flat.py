@@ -138,7 +138,7 @@ class Assertion:
     """`assert(condition, message, level)`; `message` is an expression of type String."""
 
     condition: Expr
-    message: str
+    message: Expr
     level: str
     span: Span
     component: str = ""

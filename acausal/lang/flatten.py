@@ -259,7 +259,7 @@ class _Flattener:
             level = found.literal if isinstance(found, EnumValue) else "error"
         component = env.context.instance.path if env.context.instance is not None else ""
         message = self._message(arguments["message"], env)
-        self.assertions.append(Assertion(condition, message, level, node.span, component))
+        self.assertions.append(Assertion(condition, ex.const(message), level, node.span, component))
 
     def _message(self, node: ast.Expression, env: Env) -> str:
         """The text of an assertion; one that is computed at run time is shown as it is written."""

@@ -26,7 +26,7 @@ from acausal.lang.modifiers import (
     overrides_final,
     strip_first,
 )
-from acausal.lang.scope import ComponentEntry, Root, Scope, unknown_target
+from acausal.lang.scope import EXTERNAL_OBJECT, ComponentEntry, Root, Scope, unknown_target
 
 MAX_DEPTH = 100
 """Components nested deeper than this are taken for a model that contains itself."""
@@ -277,6 +277,8 @@ class Instantiator:
         definition = scope.definition
         if isinstance(definition, ast.EnumerationClass):
             return SimpleType(enumeration_of(scope), {}, frozenset(), (), Causality.LOCAL)
+        if scope.is_predefined and scope.path == EXTERNAL_OBJECT:
+            return None
         if scope.is_predefined:
             return SimpleType(_SCALAR_TYPES[scope.path], {}, frozenset(), (), Causality.LOCAL)
         table = scope.table
@@ -438,6 +440,14 @@ def _check_instantiable(scope: Scope, plan: _Plan) -> None:
             plan.clause.type.span,
             names=[plan.path],
             hint="redeclare it with a class that extends the partial one",
+        )
+    if any(base.scope.path == EXTERNAL_OBJECT for base in scope.table.bases):
+        raise fail(
+            UnsupportedProblem,
+            "unsupported.external-object",
+            f"`{plan.path}` is the external object `{scope.path}`, which is not supported yet",
+            plan.clause.type.span,
+            names=[plan.path],
         )
     if definition.class_prefixes.expandable:
         raise fail(

@@ -5,7 +5,7 @@ up per distinct token text and positions are running sums, so almost all work ha
 token objects: token `i` has a kind `kinds[i]`, a text `texts[i]` and the characters `starts[i]:ends[i]`.
 
 The kind of a keyword, operator or bracket is its own text; all others are the constants below. The last
-token is always `EOF`, with an empty text.
+two tokens at least are `EOF`, with an empty text, so that one may always look one token ahead.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ _LETTERS = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")
 
 @dataclass(frozen=True, slots=True)
 class Tokens:
-    """The tokens of one source as parallel lists, ended by one of kind `EOF`."""
+    """The tokens of one source as parallel lists, ended by at least two of kind `EOF`."""
 
     source: Source
     kinds: list[str]
@@ -141,6 +141,10 @@ def tokenize(source: Source) -> Tokens:
         raise illegal_token(source, starts[index], texts[index], first=index == 0)
     if _ESCAPED_NAME in kinds:
         _normalise_names(kinds, texts)
+    for column, value in ((kinds, EOF), (texts, "")):
+        column.append(value)
+    for column in (starts, ends):
+        column.append(len(source.text))
     return Tokens(source, kinds, texts, starts, ends)
 
 

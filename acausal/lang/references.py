@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from itertools import product
 from typing import TYPE_CHECKING
 
-from acausal.errors import LookupProblem, Span, TypeProblem, fail
+from acausal.errors import LookupProblem, Span, fail
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.flat import BOOLEAN, INTEGER, ScalarType, Variability
@@ -186,14 +186,7 @@ def _part_of(translator: Translator, current: Member, part: ast.NamePart) -> Mem
             hint=near or (f"it has: {', '.join(known[:8])}" if known else "it has no components"),
         )
     if isinstance(current, Absent):
-        raise fail(
-            TypeProblem,
-            "lookup.absent",
-            f"`{current.path}` is not there: its condition is false",
-            part.span,
-            names=[current.path],
-            hint="a conditional component may only be used in connect",
-        )
+        return current  # `connect` drops it, anything else refuses it
     raise fail(
         LookupProblem,
         "lookup.unknown-name",
@@ -225,6 +218,8 @@ def _subscript_members(translator: Translator, selection: Selection, part: ast.N
     inner: tuple[int, ...] = ()
     type_: ScalarType | None = None
     for member in selection.members:
+        if isinstance(member, Absent):
+            return Selection((member,), (), None, selection.constant)
         if not isinstance(member, Array):
             raise type_error("type.not-array", f"`{member.path}` is not an array", part.span, "", (member.path,))
         picks = subscript_values(translator, part.subscripts, member.shape, env, member.path)

@@ -23,6 +23,7 @@ _PREDEFINED_ENUMERATIONS: dict[str, tuple[str, ...]] = {
 }
 _PREDEFINED_FILE = "<predefined>"
 SIMPLE_TYPES = ("Real", "Integer", "Boolean", "String")
+EXTERNAL_OBJECT = "ExternalObject"
 
 
 @dataclass(slots=True)
@@ -92,7 +93,7 @@ class Root:
     scopes: dict[str, Scope] = field(default_factory=lambda: {})
 
     def __post_init__(self) -> None:
-        for name in (*SIMPLE_TYPES, *_PREDEFINED_ENUMERATIONS):
+        for name in (*SIMPLE_TYPES, *_PREDEFINED_ENUMERATIONS, EXTERNAL_OBJECT):
             self.scopes[name] = Scope(ClassNode(_predefined(name), None, None), None, self)
 
     def top(self, name: str) -> Scope | None:
@@ -127,7 +128,7 @@ def _predefined(name: str) -> ast.ClassDefinition:
         entries = tuple([ast.EnumerationLiteral(literal, no_comment, span) for literal in literals])
         return ast.EnumerationClass(name, "type", *plain, entries, no_comment, None, span)
     body = ast.Composition((), (), None, None)
-    return ast.LongClass(name, "type", *plain, False, None, None, body, None, span)
+    return ast.LongClass(name, "class" if name == EXTERNAL_OBJECT else "type", *plain, False, None, None, body, None, span)
 
 
 class Scope:
@@ -199,6 +200,12 @@ class Scope:
         return Scope(self.node, self.enclosing, self.root, merge(relevant, self.modifier))
 
     # ------------------------------------------------------------------ lookup
+
+    def element_names(self) -> list[str]:
+        """Names of all elements, for suggestions; nothing while the bases are being resolved."""
+        if self._table is None and self._busy:
+            return []
+        return [*self.table.components, *self.table.classes]
 
     def find_local(self, name: str) -> Entry | None:
         """The element `name` of this class, inherited ones included."""
@@ -351,7 +358,8 @@ def _inherit(
         return
     inherited = base.table
     grouped = arguments_for(modification)
-    _check_targets(grouped, base, modification)
+    if not is_simple(base):
+        _check_targets(grouped, base)
     for name, entry in inherited.components.items():
         arguments = grouped.get(name)
         through = entry.through if arguments is None else ((tuple(arguments), scope), *entry.through)
@@ -383,7 +391,15 @@ def _own_redeclarations(scope: Scope) -> Modifier:
     return Modifier(children=children) if children else NO_MODIFIER
 
 
-def _check_targets(grouped: dict[str, list[ast.Argument]], base: Scope, modification: ast.Modification | None) -> None:
+def is_simple(scope: Scope) -> bool:
+    """Whether a class is a predefined type, an enumeration, or derived from one without components."""
+    if scope.is_predefined or isinstance(scope.definition, ast.EnumerationClass):
+        return True
+    table = scope.table
+    return len(table.bases) == 1 and not table.components and is_simple(table.bases[0].scope)
+
+
+def _check_targets(grouped: dict[str, list[ast.Argument]], base: Scope) -> None:
     for name, arguments in grouped.items():
         if base.find_local(name) is None:
             raise unknown_target(name, base, arguments[0].span)
@@ -546,7 +562,7 @@ def unknown_name(name: str, scope: Scope, span: Span, what: str = "name") -> Loo
     known: list[str] = []
     current: Scope | None = scope
     while current is not None:
-        known += [*current.table.components, *current.table.classes, *current.node.child_names()]
+        known += [*current.element_names(), *current.node.child_names()]
         current = current.enclosing
     known += [*scope.root.library.top_level_names(), *SIMPLE_TYPES]
     error = fail(

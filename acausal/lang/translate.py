@@ -352,7 +352,7 @@ class Translator:
     # ------------------------------------------------------------------ calls
 
     def _call(self, node: ast.Call, env: Env) -> AnyValue:
-        name = node.function.text
+        name = node.function.text.removeprefix(".")
         if node.iterators:
             return self._reduction(node, name, env)
         special = _SPECIAL.get(name)

@@ -1,6 +1,6 @@
-"""Alias elimination: variables that equal another one, its negation, or a parameter expression disappear.
+"""Alias elimination: variables that equal another one, its negation or a parameter expression disappear.
 
-`a = b`, `a = -b`, `a + b = 0`, `2*a = 2*b`, `a = 3*p` and `2*a + p = 0` are aliases (p parameters). `v = der(x)`
+`a = b`, `a = -b`, `a + b = 0`, `2*a = 2*b`, `a = 3*p`, `2*a + p = 0` are aliases (p parameters). `v = der(x)`
 is no alias but gives the derivative of x the name v: later stages use v wherever they need der(x), so that
 neither a second unknown nor a second equation is carried along. `Simplified.named` says so, and the causal
 system ends with the assignment `der(x) := v` for every such state x.
@@ -20,7 +20,7 @@ from acausal.symbolic.alias_search import AliasSearch
 from acausal.symbolic.attributes import Member, fixed_start, merged, same_value, start_or_default
 from acausal.symbolic.causal import Alias, CausalEquation
 from acausal.symbolic.describe import equation_text, place
-from acausal.symbolic.expressions.expr import Expr, sym
+from acausal.symbolic.expressions.expr import TRUE, Expr, sym
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
 from acausal.symbolic.parameters import ParameterValues
@@ -113,9 +113,9 @@ def _with_rest(model: Simplified, search: AliasSearch, fixed: list[CausalEquatio
 
 
 def _rewritten_assertion(assertion: Assertion, rewrite: Rewriter, search: AliasSearch) -> Assertion:
-    as_equation = Equation(assertion.condition, assertion.message, assertion.span, assertion.component)
-    condition, message = search.rewritten(rewrite, assertion.condition, assertion.message, as_equation)
-    return replace(assertion, condition=condition, message=message)
+    as_equation = Equation(assertion.condition, TRUE, assertion.span, assertion.component)
+    condition, _ = search.rewritten(rewrite, assertion.condition, TRUE, as_equation)
+    return replace(assertion, condition=condition)
 
 
 def _aliases(flat: FlatModel, search: AliasSearch) -> tuple[Alias, ...]:

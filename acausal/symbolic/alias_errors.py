@@ -69,7 +69,7 @@ def no_unknown_left(
     return BalanceProblem(
         Diagnostic(
             "alias.contradiction",
-            f"the equation '{equation_text(source)}' cannot hold: with the other equations it reads {reduced}",
+            f"'{equation_text(source)}' cannot hold: with the other equations it reads {reduced}",
             source.span,
             _names(source),
             "correct this equation; no values of its variables satisfy it",

@@ -29,7 +29,7 @@ def not_differentiable(problem: NotDifferentiable, equation: Equation) -> Reduct
         f"cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
-        hint="prescribe it by something differentiable (a ramp without jump), or state that it is with smooth(n, ...)",
+        hint="prescribe it by something differentiable (a ramp without a jump), or write it as smooth(n, ...)",
     )
     return ReductionProblem(error.diagnostics)
 
@@ -227,7 +227,7 @@ class AliasSearch:
         return self._rewrite(dict.fromkeys(sorted(equations)), values)
 
     def _restore_named(self, eliminated: dict[str, int]) -> None:
-        """Take back the names of derivatives that touch an eliminated variable: their equations live again."""
+        """Take back the names of derivatives that touch an eliminated variable: their equations return."""
         for name in eliminated:
             for x in (name, self._taken.get(name)):
                 if x is None or x not in self.named:

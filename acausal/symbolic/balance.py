@@ -105,7 +105,9 @@ def _suspicion(system: Structure, eq: Eq, surplus: list[Eq]) -> tuple[bool, bool
 def _hint_over(system: Structure, part: Part) -> str:
     number = len(part.equations) - len(part.variables)
     remove = f"remove {'one' if number == 1 else number} of these equations"
-    zero = [system.equations[eq] for eq in part.equations if system.equations[eq].origin is Origin.UNCONNECTED]
+    zero = [
+        system.equations[eq] for eq in part.equations if system.equations[eq].origin is Origin.UNCONNECTED
+    ]
     if zero:
         return (
             f"{remove}, or connect what is not connected: "
@@ -129,13 +131,17 @@ def _under(system: Structure, part: Part, matching: Matching, code: str, counts:
     hint = _hint_under(variables, len(free))
     result = [Diagnostic(code, why, variables[0].span, names, hint)]
     for variable in variables[1:SHOWN]:
-        message = f"'{variable.name}' ({place(variable.span)}) belongs to the unknowns without enough equations"
-        result.append(Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined"))
+        message = (
+            f"'{variable.name}' ({place(variable.span)}) belongs to the unknowns without enough equations"
+        )
+        result.append(
+            Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined")
+        )
     return result
 
 
 def _hint_under(variables: list[Variable], number: int) -> str:
-    add = f"add {'an equation' if number == 1 else f'{number} equations'} for {'one' if number == 1 else 'some'} of them"
+    add = "add an equation for one of them" if number == 1 else f"add {number} equations for some of them"
     connectors = [v.name.rsplit(".", 1)[0] for v in variables if v.flow and "." in v.name]
     if connectors:
         return f"{add}, or connect {listed(list(dict.fromkeys(connectors)))}"

@@ -41,7 +41,11 @@ class NoCompleteMatching(Exception):
 
 def rows(profile: Profile, index: dict[Expr, Var], worst: Solvability = Solvability.NONLINEAR) -> list[Var]:
     """The unknowns an equation can be solved for, the safest first."""
-    found = [(how, i) for leaf, how in profile.solvable.items() if how <= worst and (i := index.get(leaf)) is not None]
+    found = [
+        (how, i)
+        for leaf, how in profile.solvable.items()
+        if how <= worst and (i := index.get(leaf)) is not None
+    ]
     found.sort(key=lambda pair: pair[0])
     return [i for _, i in found]
 
@@ -123,7 +127,9 @@ def _solved(equation: CausalEquation, leaf: Expr) -> Assignment:
 _SUMS = frozenset({"add", "neg", "noEvent", "smooth"})
 
 
-def is_linear(tearing: Iterable[Expr], assignments: Sequence[Assignment], residuals: Sequence[Residual]) -> bool:
+def is_linear(
+    tearing: Iterable[Expr], assignments: Sequence[Assignment], residuals: Sequence[Residual]
+) -> bool:
     """Whether the residuals are linear in `tearing` once the assignments are put in.
 
     Every node gets its degree in the tearing variables, 0, 1 or 2 for "more"; an assigned unknown has the

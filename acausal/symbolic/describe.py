@@ -1,4 +1,4 @@
-"""Words for messages of the symbolic passes: equations, variables and lists of them, cut to a readable length."""
+"""Words for messages of the symbolic passes: equations, variables and lists of them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SHOWN = 5
 
 
 class ReductionProblem(AcausalError):
-    """Index reduction or state selection is impossible: a jump in a prescribed quantity, redundant constraints."""
+    """Index reduction or state selection fails: a jump in a prescribed quantity, redundant constraints."""
 
 
 def equation_text(equation: Equation | CausalEquation) -> str:

@@ -12,6 +12,7 @@ from acausal.errors import Span, TypeProblem, fail
 from acausal.lang.flat import Assertion
 from acausal.symbolic.causal import CausalEquation, ZeroCrossing
 from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.operators import OPERATORS
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, all_leaves
 
@@ -49,7 +50,7 @@ def _relations(roots: Iterable[Expr], seen: set[Expr], chains: Chains, span: Spa
         stack.extend(reversed(node.args))
         if node.op in _INEQUALITIES and _varies(node, chains):
             yield node
-        elif node.op in ("eq", "ne") and _varies(node, chains):
+        elif node.op in ("eq", "ne") and _varies(node, chains) and _compares_reals(node, chains):
             raise _equality(node, span)
 
 
@@ -59,9 +60,25 @@ def _varies(node: Expr, chains: Chains) -> bool:
         variable = chains.variables.get(leaf.name) if leaf.op == "sym" else None
         if leaf.op == "sym" and leaf.name == "time":
             return True
-        if leaf.op == "der" or (variable is not None and variable.is_unknown and variable.type.name == "Real"):
+        if leaf.op == "der" or (
+            variable is not None and variable.is_unknown and variable.type.name == "Real"
+        ):
             return True
     return False
+
+
+def _compares_reals(node: Expr, chains: Chains) -> bool:
+    """Whether one side is Real; Boolean, Integer and enumeration values may be compared."""
+    return any(_is_real(side, chains) for side in node.args)
+
+
+def _is_real(expr: Expr, chains: Chains) -> bool:
+    if expr.op == "const":
+        return isinstance(expr.value, float)
+    variable = chains.variables.get(expr.name) if expr.op == "sym" else None
+    if variable is not None:
+        return variable.type.name == "Real"
+    return expr.op != "integer" and OPERATORS[expr.op].shape not in ("relation", "logical")
 
 
 def _equality(node: Expr, span: Span) -> TypeProblem:
@@ -74,4 +91,3 @@ def _equality(node: Expr, span: Span) -> TypeProblem:
         hint="compare with a tolerance: abs(a - b) < eps",
     )
     return TypeProblem(error.diagnostics)
-

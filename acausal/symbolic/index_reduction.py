@@ -16,7 +16,7 @@ from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.expr import ZERO, Expr, der, sym
 from acausal.symbolic.graphs.dulmage_mendelsohn import StructurallySingular
 from acausal.symbolic.graphs.pantelides import Reduction, TooManyDifferentiations, pantelides
-from acausal.symbolic.graphs.types import Var
+from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.leaves import Chains, value_leaves
 
 
@@ -86,8 +86,9 @@ def _variables(
     leaves = [sym(v.name) for v in model.unknowns]
     index = {leaf: Var(i) for i, leaf in enumerate(leaves)}
     used = [leaf for row in rows for leaf in row if leaf.op == "der"]
-    for leaf in (*used, *[der(sym(name)) for name in wanted if name not in chains.named]):
+    for highest in (*used, *[der(sym(name)) for name in wanted if name not in chains.named]):
         chain: list[Expr] = []
+        leaf = highest
         while leaf not in index:
             chain.append(leaf)
             leaf = leaf.args[0]
@@ -136,8 +137,8 @@ def _differentiated(model: Simplified, chains: Chains, reduction: Reduction) -> 
     equations = list(model.equations)
     derive = TimeDerivative(chains.derivative, model.values.lookup)
     source = {d: i for i, d in enumerate(reduction.equation_derivative) if d is not None}
-    for eq in range(len(equations), len(reduction.incidence)):
-        base = equations[source[eq]]
+    for i in range(len(equations), len(reduction.incidence)):
+        base = equations[source[Eq(i)]]
         try:
             left, right = derive(base.left), derive(base.right)
         except NotDifferentiable as problem:

@@ -24,7 +24,7 @@ def determined(flat: FlatModel) -> tuple[Variable, ...]:
 
 
 def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
-    """Leaves an equation could be solved for: those outside conditions and relations. In order of appearance."""
+    """Leaves an equation could be solved for: those outside conditions, in order of appearance."""
     found: dict[Expr, None] = {}
     seen: set[Expr] = set()
     stack = [*roots]
@@ -64,7 +64,7 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
 
 @dataclass(frozen=True)
 class Chains:
-    """Which leaf is the time derivative of which: `der(x)`, unless an equation gave it the name `v` (v = der(x))."""
+    """Which leaf is whose time derivative: `der(x)`, unless an equation v = der(x) named it `v`."""
 
     variables: Mapping[str, Variable]
     named: Mapping[str, str]

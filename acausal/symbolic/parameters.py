@@ -49,11 +49,11 @@ def order_parameters(flat: FlatModel) -> tuple[str, ...]:
     """
     uses = {v.name: _uses(v, flat) for v in flat.parameters}
     done: dict[str, bool] = {}
-    for root in uses:
+    for root, needs in uses.items():
         if root in done:
             continue
         done[root] = False
-        stack = [(root, iter(uses[root]))]
+        stack = [(root, iter(needs))]
         while stack:
             name, pending = stack[-1]
             for needed in pending:

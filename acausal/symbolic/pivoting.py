@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from enum import Enum
 from heapq import heapify, heappop, heappush
 
 
@@ -31,16 +32,32 @@ def independent_columns(columns: Sequence[Column], groups: Sequence[Sequence[int
     """Indices of `n_rows` independent columns (fewer if there are no more), in the order chosen.
 
     `groups` lists the columns, cheapest group first and cheapest column first within a group. Within a group
-    columns with a constant pivot go before others, so that the choice is valid for every state wherever one
-    such choice exists greedily. Cost: that of sparse elimination of the columns tried.
+    columns with a constant pivot go first, so that the choice is valid for every state wherever one such
+    choice exists greedily; then columns whose pivot is not small in its row; then the rest. Cost: that of
+    sparse elimination of the columns tried.
     """
     elimination = _Elimination(columns)
     for group in groups:
-        later = [c for c in group if len(elimination.chosen) < n_rows and not elimination.accept(c, constant=True)]
-        for c in later:
-            if len(elimination.chosen) < n_rows:
-                elimination.accept(c, constant=False)
+        left = list(group)
+        for demand in (_Demand.CONSTANT, _Demand.LARGE, _Demand.ANY):
+            left = [
+                column
+                for column in left
+                if len(elimination.chosen) < n_rows and not elimination.accept(column, demand)
+            ]
     return elimination.chosen
+
+
+class _Demand(Enum):
+    """What a pivot must be."""
+
+    CONSTANT = "constant"
+    LARGE = "large"
+    ANY = "any"
+
+
+_LARGE = 0.3
+"""A pivot is large if it is at least this times the largest entry of its row."""
 
 
 class _Elimination:
@@ -52,12 +69,18 @@ class _Elimination:
         self._step_of_row: dict[int, int] = {}
         self._pivot_rows: list[int] = []
         self._multipliers: list[dict[int, Entry]] = []
+        self._row_largest: dict[int, float] = {}
+        for column in columns:
+            for row, entry in column.items():
+                self._row_largest[row] = max(self._row_largest.get(row, 0.0), abs(entry.value))
 
-    def accept(self, column: int, *, constant: bool) -> bool:
-        """Add the column if it is independent of those chosen (and has a constant pivot, if asked for)."""
+    def accept(self, column: int, demand: _Demand) -> bool:
+        """Add the column if it is independent of those chosen, with a pivot as demanded."""
         reduced = self._reduce(self._columns[column])
         candidates = [
-            (entry.constant, abs(entry.value), -row) for row, entry in reduced.items() if not constant or entry.constant
+            (entry.constant, abs(entry.value), -row)
+            for row, entry in reduced.items()
+            if self._satisfies(row, entry, demand)
         ]
         if not candidates:
             return False
@@ -70,6 +93,11 @@ class _Elimination:
         )
         self.chosen.append(column)
         return True
+
+    def _satisfies(self, row: int, entry: Entry, demand: _Demand) -> bool:
+        if demand is _Demand.CONSTANT:
+            return entry.constant
+        return demand is _Demand.ANY or abs(entry.value) >= _LARGE * self._row_largest.get(row, 0.0)
 
     def _reduce(self, column: Column) -> dict[int, Entry]:
         """The column after elimination of the pivot rows: what is left in rows without pivot."""

@@ -90,7 +90,7 @@ def _direct(left: Expr, right: Expr) -> dict[Expr, Solvability]:
 
 
 def solve(equation: CausalEquation, leaf: Expr) -> Assignment | None:
-    """The equation solved for `leaf`, if it is linear in it or a monotone function of it; else None. O(nodes)."""
+    """The equation solved for `leaf` if it is linear or invertible in it, else None. O(nodes)."""
     left, right = equation.left, equation.right
     for one, other in ((left, right), (right, left)):
         if one is leaf and leaf not in all_leaves([other]):

@@ -205,7 +205,11 @@ def _check_always(reduced: Reduced, states: tuple[str, ...], chooser: _Chooser) 
     members = {a.name: a for a in reduced.model.aliases}
     problems: list[Diagnostic] = []
     for variable in reduced.model.flat.variables:
-        if variable.state_select is not StateSelect.ALWAYS or variable.name in chosen or not variable.is_unknown:
+        if (
+            variable.state_select is not StateSelect.ALWAYS
+            or variable.name in chosen
+            or not variable.is_unknown
+        ):
             continue
         alias = members.get(variable.name)
         if alias is not None and alias.value.op != "const" and _is_signed_state(alias.value, chosen):

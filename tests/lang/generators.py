@@ -231,13 +231,14 @@ _KINDS: list[ast.ClassKind] = [
     "type",
     "package",
     "function",
+    "operator",
 ]
 
 
 @st.composite
 def class_words(draw: st.DrawFn, encapsulated: bool) -> tuple[ast.ClassKind, ast.ClassPrefixes]:
     """A kind of class with prefixes that go with it."""
-    kind = draw(sampled_from([*_KINDS, cast("ast.ClassKind", "operator")]))
+    kind = draw(sampled_from(_KINDS))
     prefixes = ast.ClassPrefixes(
         encapsulated=encapsulated and draw(flag),
         partial=draw(flag),
@@ -510,6 +511,11 @@ definitions = builds(
     tuples_of(st.tuples(flag, classes), 1, 2),
     just("generated"),
 )
+
+any_node: SearchStrategy[object] = one_of(
+    definitions, elements, extends_clauses, equations, statements, expressions, arguments
+)
+"""Something large or small, for looking at what the generators make."""
 
 ALL_NODES: tuple[Callable[..., object], ...] = (
     ast.Subscripts, ast.NamePart, ast.ComponentReference, ast.RealLiteral, ast.IntegerLiteral,

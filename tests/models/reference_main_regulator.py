@@ -34,11 +34,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_ivp  # pyright: ignore[reportUnknownVariableType]
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]
@@ -257,16 +257,19 @@ def solve(
     par: Parameters, supply: str, stop_time: float = 1.0, points: int = 501, rtol: float = 1e-8
 ) -> Reference:
     """Integrate from the start values with Radau, at most 10 ms per step."""
-    result: Any = solve_ivp(
-        derivative,
-        (0.0, stop_time),
-        start(par, supply),
-        method="Radau",
-        t_eval=np.linspace(0.0, stop_time, points),
-        args=(par, supply),
-        rtol=rtol,
-        atol=1e-7 * _SCALE[: len(state_names(supply))],
-        max_step=0.01,
+    result = cast(
+        "Any",
+        solve_ivp(
+            derivative,
+            (0.0, stop_time),
+            start(par, supply),
+            method="Radau",
+            t_eval=np.linspace(0.0, stop_time, points),
+            args=(par, supply),
+            rtol=rtol,
+            atol=1e-7 * _SCALE[: len(state_names(supply))],
+            max_step=0.01,
+        ),
     )
     if not result.success:
         raise RuntimeError(result.message)

@@ -51,7 +51,7 @@ class NotDifferentiable(Exception):
 
 
 def _outer(slope: Callable[[Expr], Expr]) -> Rule:
-    """d f(u) = f'(u) du, from f' as a function of u."""
+    """D f(u) = f'(u) du, from f' as a function of u."""
 
     def rule(node: Expr, d: list[Expr]) -> Expr:
         return ZERO if d[0] is ZERO else mul(slope(node.args[0]), d[0])
@@ -224,7 +224,7 @@ class TimeDerivative:
         """As `_strict`, where `smooth` vouches for every switch."""
 
     def __call__(self, root: Expr) -> Expr:
-        """d root / dt. Raises `NotDifferentiable`."""
+        """D root / dt. Raises `NotDifferentiable`."""
         result = fold([root], self._visit_strict, self._strict)[root]
         if isinstance(result, NotDifferentiable):
             raise NotDifferentiable(result.expr, result.reason)
@@ -281,7 +281,7 @@ def _no_values(name: str) -> None:
 
 
 def time_derivative(root: Expr, derivative_of: DerivativeOf, values: Lookup = _no_values) -> Expr:
-    """d root / dt by the chain rule; `TimeDerivative` shares work between many expressions.
+    """D root / dt by the chain rule; `TimeDerivative` shares work between many expressions.
 
     Raises `NotDifferentiable` where a switch is not proven continuous (see the module's text).
     """

@@ -99,7 +99,7 @@ def _product(node: Expr, parts: list[Parts]) -> Parts | None:
 def linear_parts(
     root: Expr, leaves: Sequence[Expr], *, frozen: bool = False
 ) -> tuple[tuple[Expr, ...], Expr] | None:
-    """(a1..an, b) with root = a1*leaf1 + ... + b and no leaf in any of them; None if not linear. O(nodes n)."""
+    """(a1..an, b) with root = a1*leaf1 + ... + b, no leaf in any of them; None if not linear. O(nodes n)."""
     coefficients: list[Expr] = []
     rest = root
     for leaf in leaves:

@@ -83,11 +83,11 @@ class _Loop:
         self._smallest = [(degree, eq) for eq, degree in zip(eqs, self._eq_degree, strict=True)]
         heapify(self._smallest)
         self._released = [0] * n_vars
-        """Per variable how many equations have it and just one other open variable, solvable for that one."""
+        """Per variable how many open equations have it and one other open variable, solvable for that one."""
         self._useful: list[tuple[int, int, int, Var]] = []
         for eq in eqs:
             if self._eq_degree[eq] == 2:
-                self._down_to_two(eq)
+                self._count_short(eq, 1)
 
     def settle_all(self) -> None:
         """Take every decision that needs no guess, looking at everything once."""
@@ -138,16 +138,16 @@ class _Loop:
     def _open_variables(self, eq: Eq) -> list[Var]:
         return [var for var in self._rows[eq] if self._var_open[var]]
 
-    def _down_to_two(self, eq: Eq) -> None:
-        """Either of the two open variables of `eq` releases it if it can be solved for the other."""
+    def _count_short(self, eq: Eq, change: int) -> None:
+        """Count `eq`, of two open variables, for each of them if it is solvable for the other."""
         one, other = self._open_variables(eq)
         for var, partner in ((one, other), (other, one)):
             if partner in self._pairs[eq]:
-                self._released[var] += 1
+                self._released[var] += change
                 self._offer(var)
 
     def _down_to_one(self, eq: Eq, known: Var) -> None:
-        """Undo `_down_to_two` for the variable left when `known` became known."""
+        """Undo `_count_short` for the variable left when `known` became known."""
         (var,) = self._open_variables(eq)
         if known in self._pairs[eq]:
             self._released[var] -= 1
@@ -173,12 +173,14 @@ class _Loop:
         elif self._var_degree[var] == 1:
             eq = next(eq for eq in self._columns[var] if self._eq_open[eq])
             self.last.append((eq, var))
-            self._know(var)
             self._use(eq)
+            self._know(var)
 
     def _use(self, eq: Eq) -> None:
         """Close an equation, and count down its open variables."""
         self._eq_open[eq] = 0
+        if self._eq_degree[eq] == 2:
+            self._count_short(eq, -1)
         pairs = self._pairs[eq]
         for var in self._open_variables(eq):
             self._var_degree[var] -= 1
@@ -198,7 +200,7 @@ class _Loop:
             degree = self._eq_degree[eq]
             heappush(self._smallest, (degree, eq))
             if degree == 2:
-                self._down_to_two(eq)
+                self._count_short(eq, 1)
             elif degree == 1:
                 self._down_to_one(eq, var)
             if degree == 1 or self._eq_pairs[eq] == 0:

@@ -13,6 +13,7 @@ protected
 equation
   // Displacement by the spool
   V = V_0 + orientation*A*flange.s;
+  V_flow = orientation*A*der(flange.s);
   // Flow through the port
   port.p = p;
   m_flow = rho*port.q;

@@ -7,6 +7,7 @@ model Volume "Rigid volume of compressible oil with any number of ports"
 equation
   // Rigid walls
   V = V_0;
+  V_flow = 0;
   // One pressure everywhere
   for i in 1:n loop
     port[i].p = p;

@@ -9,8 +9,8 @@ algorithm
     Inline = true,
     smoothOrder = 10,
     Documentation(info = "<html>
-<p>y = (x + sqrt(x<sup>2</sup> + 4 x_0<sup>2</sup>)) / 2, the positive root of y<sup>2</sup> - x y - x_0<sup>2</sup> = 0.
-As the gap of a metering edge with radial clearance x_0 it gives the clearance at the edge itself and a leakage that
-falls with the length of the covered land.</p>
+<p>y = (x + sqrt(x<sup>2</sup> + 4 x_0<sup>2</sup>)) / 2, the positive root of
+y<sup>2</sup> - x y - x_0<sup>2</sup> = 0. As the gap of a metering edge with radial clearance x_0 it gives the
+clearance at the edge itself and a leakage that falls with the length of the covered land.</p>
 </html>"));
 end positivePart;

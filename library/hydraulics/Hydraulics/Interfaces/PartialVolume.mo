@@ -4,17 +4,21 @@ partial model PartialVolume "Compressible oil at one pressure"
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure";
   Units.AbsolutePressure p(start = p_start, stateSelect = StateSelect.prefer) "Pressure";
   Units.Density rho "Density";
+  Units.BulkModulus K "Effective bulk modulus";
   Units.Volume V "Volume";
-  Mechanics.Units.Mass m(stateSelect = StateSelect.avoid) "Mass of oil and air";
+  Units.VolumeFlowRate V_flow "Rate at which the walls enlarge the volume";
+  Mechanics.Units.Mass m "Mass of oil and air";
   Units.MassFlowRate m_flow "Mass flow into the volume";
 equation
   // Compressibility of oil with air
   rho = Media.density(p, fluid);
+  K = Media.bulkModulus(p, fluid);
   m = rho*V;
-  // Conservation of mass
-  der(m) = m_flow;
+  // Conservation of mass, d(rho V)/dt = m_flow with drho/dp = rho/K
+  rho*(V/K*der(p) + V_flow) = m_flow;
   annotation(Documentation(info = "<html>
-<p>d(rho(p) V)/dt = m_flow. The extending model gives V and m_flow and its ports. The pressure is preferred as the
-state; a source may prescribe it instead.</p>
+<p>d(rho(p) V)/dt = m_flow, written out with drho/dp = rho/K(p), which K fulfils exactly, so that the pressure is the
+variable whose derivative appears: it is the state, unless a source prescribes it. The extending model gives V, its
+rate V_flow, m_flow and the ports.</p>
 </html>"));
 end PartialVolume;

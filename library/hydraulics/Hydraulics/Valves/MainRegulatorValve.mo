@@ -7,7 +7,7 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
   parameter Mechanics.Units.TranslationalSpringConstant c = 6e3
     "Stiffness of the spring; chosen: 6 N over the working stroke of 1 mm, an eighth of the feedback force";
   parameter Mechanics.Units.Force F_preload = 23.5
-    "Spring force at position 0; chosen: at 3 bar of pilot and 2 to 40 l/min the line stands at 8.5 to 11.6 bar";
+    "Spring force at position 0; chosen: at 3 bar of pilot and 2 to 40 l/min the line stands at 8.7 to 11.5 bar";
   parameter Units.Coefficient dampingRatio = 0.05
     "Damping of spool and spring, relative to critical; nominal damping factor of the study";
   parameter Mechanics.Units.Position s_max = 5e-3 "Position of the upper end stop; chosen: 3.7 mm behind the last edge";
@@ -24,7 +24,8 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
   parameter Units.Area A_pilot = 50e-6 "Area of the pilot land; chosen: 1 bar of pilot raises the line by 1 bar";
   parameter Units.Volume V_feedback = 2e-6 "Feedback chamber at position 0; chosen: land and drilling";
   parameter Units.Volume V_pilot = 2e-6 "Pilot chamber at position 0; chosen: land and drilling";
-  parameter Units.Diameter d_feedback = 1.2e-3 "Feedback orifice; chosen: damps the spool, overshoot of a third when the pump starts";
+  parameter Units.Diameter d_feedback = 1.2e-3
+    "Feedback orifice; chosen: damps the spool, overshoot of a third when the pump starts";
   parameter Units.Diameter d_pilot = 1.5e-3 "Pilot orifice; chosen: wider than the feedback orifice";
   // Connections
   Interfaces.Port line "Line pressure at the edges";

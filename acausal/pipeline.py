@@ -1,0 +1,175 @@
+"""The whole compiler on one screen: text -> AST -> instance tree -> FlatModel -> CausalSystem -> code.
+
+This is the only driver. It times each stage, proves the flat model with `verify`, can stop after any stage
+and print it. Start reading here; each line leads to the module that does the work.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from time import perf_counter
+from typing import Literal, TypeVar
+
+from acausal.codegen.functions import Code, generate
+from acausal.errors import Diagnostic, LookupProblem, Source, Span, UnitProblem, UsageProblem, fail
+from acausal.lang import ast
+from acausal.lang.base_modelica import print_flat
+from acausal.lang.flat import FlatModel
+from acausal.lang.flatten import flatten
+from acausal.lang.instance import Instance, print_instance
+from acausal.lang.library import ClassNode, Library
+from acausal.lang.modifiers import Context, Modifier, modifier_of_arguments
+from acausal.lang.parser import parse_expression
+from acausal.lang.printer import print_class
+from acausal.lang.scope import Root
+from acausal.lang.translate import Translator
+from acausal.lang.unit_check import check_units
+from acausal.lang.verify import verify
+from acausal.symbolic.causal import CausalSystem
+from acausal.symbolic.causal_text import print_causal
+from acausal.symbolic.causalise import causalise
+
+Stage = Literal["ast", "instance", "flat", "causal", "code"]
+_T = TypeVar("_T")
+STAGES: tuple[Stage, ...] = ("ast", "instance", "flat", "causal", "code")
+RECURSION_LIMIT = 20_000
+"""Python frames that translating the deepest expression the parser admits may take."""
+
+
+@dataclass(frozen=True)
+class Compilation:
+    """What one run of the pipeline produced; stages after `stop_after` are None."""
+
+    node: ClassNode
+    instance: Instance | None = None
+    flat: FlatModel | None = None
+    causal: CausalSystem | None = None
+    code: Code | None = None
+    warnings: tuple[Diagnostic, ...] = ()
+    seconds: Mapping[str, float] = field(default_factory=lambda: {})
+
+
+def compile_model(
+    library: Library, name: str, parameters: Mapping[str, str] | None = None, stop_after: Stage = "code"
+) -> Compilation:
+    """Compile the class `name` with `parameters` (Modelica expressions by dotted name) applied to it.
+
+    Raises the `AcausalError` of the stage that finds something wrong.
+    """
+    clock = _Clock()
+    with _compiling():
+        node = clock.run("parse", lambda: library.find(name))
+        if stop_after == "ast":
+            return Compilation(node, seconds=clock.seconds)
+        translator = Translator(Root(library))
+        instance = clock.run("flatten", lambda: instantiate(translator, node, parameters or {}))
+        if stop_after == "instance":
+            return Compilation(node, instance, seconds=clock.seconds)
+        flat, warnings = clock.run("flatten", lambda: flatten_and_check(translator, instance))
+        if stop_after == "flat":
+            return Compilation(node, instance, flat, warnings=warnings, seconds=clock.seconds)
+        causal = clock.run("causalise", lambda: causalise(flat))
+        if stop_after == "causal":
+            return Compilation(node, instance, flat, causal, warnings=warnings, seconds=clock.seconds)
+        code = clock.run("codegen", lambda: generate(causal))
+        return Compilation(node, instance, flat, causal, code, warnings, clock.seconds)
+
+
+def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str, str]) -> Instance:
+    """The complete instance tree of the top-level class, with the parameters as its modification."""
+    scope = translator.root.find(node.path)
+    if scope.kind not in ("model", "block", "class"):
+        raise fail(
+            LookupProblem,
+            "model.not-a-model",
+            f"`{node.path}` is a {scope.kind}; only models and blocks can be compiled",
+            node.definition.span,
+            names=[node.path],
+            hint="name a model inside it" if scope.kind == "package" else "put it into a model",
+        )
+    if scope.definition.class_prefixes.partial:
+        raise fail(
+            LookupProblem,
+            "model.partial",
+            f"`{node.path}` is partial and cannot be compiled",
+            node.definition.span,
+            names=[node.path],
+            hint="compile a class that extends it",
+        )
+    modifier = modifier_of_arguments(
+        [parameter_modification(name, text) for name, text in parameters.items()], Context(scope, None)
+    )
+    return translator.instances.complete(translator.instances.model(scope, modifier))
+
+
+def flatten_and_check(translator: Translator, instance: Instance) -> tuple[FlatModel, tuple[Diagnostic, ...]]:
+    """The proven flat model, and the warnings about it. A provable unit clash is an error."""
+    flat = flatten(translator, instance)
+    verify(flat)
+    units = check_units(flat)
+    errors = [d for d in units if d.severity == "error"]
+    if errors:
+        raise UnitProblem(errors)
+    return flat, (*flat.warnings, *units)
+
+
+def parameter_modification(name: str, text: str) -> ast.ElementModification:
+    """`-p name=text` as a modification of the top-level class."""
+    source = Source(f"-p {name}", text)
+    span = Span(source, 0, len(text))
+    parts = tuple(name.split("."))
+    if not all(part.isidentifier() or (part.startswith("'") and part.endswith("'")) for part in parts):
+        raise fail(
+            UsageProblem, "usage.parameter-name", f"`{name}` is not the name of a parameter", names=[name], hint="use NAME=VALUE"
+        )
+    value = ast.Modification((), parse_expression(source), span)
+    return ast.ElementModification(parts, value, False, False, ast.Comment(None, None), span)
+
+
+def print_stage(compilation: Compilation, stage: Stage) -> str:
+    """The text of one stage. Raises `UsageProblem` when the compilation stopped before it."""
+    if stage == "ast":
+        return print_class(compilation.node.definition)
+    if stage == "instance" and compilation.instance is not None:
+        return print_instance(compilation.instance)
+    if stage == "flat" and compilation.flat is not None:
+        return print_flat(compilation.flat)
+    if stage == "causal" and compilation.causal is not None:
+        return print_causal(compilation.causal)
+    if stage == "code" and compilation.code is not None:
+        return compilation.code.describe()
+    raise fail(UsageProblem, "usage.stage", f"the compilation stopped before the stage `{stage}`")
+
+
+class _Clock:
+    """Seconds per step, in the JSON contract's words."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {"parse": 0.0, "flatten": 0.0, "causalise": 0.0, "codegen": 0.0, "total": 0.0}
+
+    def run(self, step: str, work: Callable[[], _T]) -> _T:
+        start = perf_counter()
+        try:
+            return work()
+        finally:
+            spent = perf_counter() - start
+            self.seconds[step] += spent
+            self.seconds["total"] += spent
+
+
+@contextmanager
+def _compiling() -> Iterator[None]:
+    """Room for nested expressions, and no garbage collection: a compilation makes millions of lasting nodes."""
+    limit, collecting = sys.getrecursionlimit(), gc.isenabled()
+    sys.setrecursionlimit(max(limit, RECURSION_LIMIT))
+    gc.disable()
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(limit)
+        if collecting:
+            gc.enable()

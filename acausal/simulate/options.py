@@ -1,0 +1,81 @@
+"""What a run can be told, and the contract's defaults."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from acausal.errors import UsageProblem, fail
+from acausal.lang.flat import Experiment
+
+DEFAULT_STOP = 1.0
+DEFAULT_RTOL = 1e-6
+DEFAULT_INTERVALS = 500
+MAX_STEPS = 10_000_000
+_MAX_POINTS = 50_000_000
+
+
+@dataclass(frozen=True)
+class Options:
+    """A run's settings, complete: `atol` is multiplied by each state's nominal value; `max_step` 0 is no limit."""
+
+    start_time: float
+    stop_time: float
+    rtol: float
+    atol: float
+    max_step: float
+    interval: float
+    solver: str = "cvode"
+    max_steps: int = MAX_STEPS
+
+    @property
+    def span(self) -> float:
+        return self.stop_time - self.start_time
+
+
+def resolve(
+    experiment: Experiment,
+    *,
+    stop_time: float | None = None,
+    start_time: float | None = None,
+    rtol: float | None = None,
+    atol: float | None = None,
+    max_step: float | None = None,
+    interval: float | None = None,
+    solver: str = "cvode",
+    max_steps: int = MAX_STEPS,
+    has_events: bool = False,
+) -> Options:
+    """Settings as given, else from the `experiment` annotation, else the contract's: 1 s, 1e-6, 1/500.
+
+    `atol` is by default `rtol`. With zero crossings and no `max_step`, steps are limited to the output interval,
+    so that two crossings in one long step are not missed. Raises `UsageProblem`.
+    """
+    start = _first(start_time, experiment.start_time, 0.0)
+    stop = _first(stop_time, experiment.stop_time, start + DEFAULT_STOP)
+    if not (math.isfinite(start) and math.isfinite(stop)) or stop < start:
+        raise _wrong("stop-time", f"the stop time {stop:g} s lies before the start time {start:g} s")
+    relative = _positive("rtol", _first(rtol, experiment.tolerance, DEFAULT_RTOL))
+    span = stop - start
+    step = _positive("interval", _first(interval, experiment.interval, span / DEFAULT_INTERVALS or 1.0))
+    if span / step > _MAX_POINTS:
+        raise _wrong("interval", f"an interval of {step:g} s gives more than {_MAX_POINTS} output points")
+    if max_step is not None:
+        _positive("max_step", max_step)
+    limit = max_step if max_step is not None else (min(step, span) if has_events else 0.0)
+    absolute = _positive("atol", atol if atol is not None else relative)
+    return Options(start, stop, relative, absolute, limit, step, solver, max_steps)
+
+
+def _first(*values: float | None) -> float:
+    return next(value for value in values if value is not None)
+
+
+def _positive(name: str, value: float) -> float:
+    if not (math.isfinite(value) and value > 0):
+        raise _wrong(name, f"{name} must be a positive number, not {value:g}")
+    return value
+
+
+def _wrong(name: str, message: str) -> Exception:
+    return fail(UsageProblem, f"simulate.{name.replace('_', '-')}", message, names=[name])

@@ -1,0 +1,80 @@
+"""Stores accepted points and checks assertions there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from acausal.errors import Diagnostic, SimulationProblem
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.messages import at
+from acausal.simulate.newton import Vector
+from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
+from acausal.symbolic.expressions.expr import Constant, Expr, symbols
+from acausal.symbolic.expressions.text import to_text
+
+
+class Recorder:
+    """Rows of outputs, one per accepted point. Warnings of assertions are kept once each."""
+
+    def __init__(self, evaluator: Evaluator) -> None:
+        self._evaluator = evaluator
+        self._times: list[float] = []
+        self._rows: list[Vector] = []
+        self._violated: dict[int, Diagnostic] = {}
+
+    def add(self, time: float, x: Vector) -> None:
+        """Evaluates all variables here. Raises `SimulationProblem` for what is not finite or asserted otherwise."""
+        evaluator = self._evaluator
+        evaluator.at(time, x)
+        evaluator.output()
+        row = evaluator.output.outputs[0]
+        if not np.isfinite(row).all():
+            evaluator.settle()
+            evaluator.explain()
+            evaluator.output()
+        self._times.append(time)
+        self._rows.append(row.copy())
+        if evaluator.code.system.assertions:
+            self._assert(time)
+
+    def _assert(self, time: float) -> None:
+        evaluator = self._evaluator
+        evaluator.condition()
+        for i in np.flatnonzero(evaluator.condition.outputs[0] != 1.0):
+            assertion = evaluator.code.system.assertions[int(i)]
+            text = message_text(assertion.message)
+            names = symbols([assertion.condition])
+            if assertion.level.endswith("warning"):
+                message = f"{text} (first {at(time)}; '{to_text(assertion.condition)}' is false)"
+                warning = Diagnostic("simulate.assertion", message, assertion.span, names, severity="warning")
+                self._violated.setdefault(int(i), warning)
+                continue
+            message = f"{text} ({at(time)}; '{to_text(assertion.condition)}' is false)"
+            raise SimulationProblem(Diagnostic("simulate.assertion", message, assertion.span, names))
+
+    @property
+    def warnings(self) -> tuple[Diagnostic, ...]:
+        return tuple(self._violated.values())
+
+    @property
+    def time(self) -> Vector:
+        return np.array(self._times)
+
+    @property
+    def data(self) -> Vector:
+        width = self._evaluator.output.outputs[0].size
+        return np.array(self._rows).reshape(len(self._rows), width)
+
+
+def message_text(message: Expr) -> str:
+    """The assertion's text, as far as it can be put together without a run."""
+
+    def lookup(name: str) -> Constant | None:
+        del name
+        return None
+
+    try:
+        return str(evaluate(message, lookup))
+    except (NotConstant, EvaluationFailed):
+        return to_text(message)
+

@@ -1,0 +1,114 @@
+"""The event loop: from grid point to grid point, stopping at events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.events import EventGuard, crossed_modes, operators, settle_modes
+from acausal.simulate.newton import Vector
+from acausal.simulate.options import Options
+from acausal.simulate.record import Recorder
+from acausal.simulate.solver import Solver
+
+_AHEAD = 1e-9
+"""How far to look forward for the side of a zero root, relative to the simulated time."""
+_ROUND = 64 * np.finfo(float).eps
+
+
+def grid(options: Options) -> Iterator[float]:
+    """Output times after the start: multiples of the interval, then the stop time."""
+    start, stop, interval = options.start_time, options.stop_time, options.interval
+    count = int(np.ceil((stop - start) / interval * (1 - 1e-12))) if stop > start else 0
+    for i in range(1, count):
+        yield start + i * interval
+    if stop > start:
+        yield stop
+
+
+def run(evaluator: Evaluator, solver: Solver | None, x: Vector, options: Options, recorder: Recorder) -> int:
+    """Integrates and records; returns the number of event instants.
+
+    `solver` is None for a model without states and events, which is only evaluated. Raises `SimulationProblem`.
+    """
+    time = options.start_time
+    loop = _Loop(evaluator, solver, options, recorder)
+    loop.begin(time, x)
+    for target in grid(options):
+        loop.reach(target)
+    return loop.guard.count
+
+
+class _Loop:
+    """The present point of a run."""
+
+    def __init__(
+        self, evaluator: Evaluator, solver: Solver | None, options: Options, recorder: Recorder
+    ) -> None:
+        self.evaluator = evaluator
+        self.solver = solver
+        self.options = options
+        self.recorder = recorder
+        self.guard = EventGuard(evaluator.code.system, options.span)
+        self._operators = operators(evaluator.code.system)
+        self._ahead = _AHEAD * (options.span or 1.0)
+        self._time = options.start_time
+        self._x = evaluator.x.copy()
+
+    def begin(self, time: float, x: Vector) -> None:
+        self._time, self._x = time, x.copy()
+        before = self.evaluator.m.copy()
+        self.evaluator.at(time, x)
+        self.evaluator.settle()
+        self.recorder.add(time, x)
+        settle_modes(self.evaluator, time, x, self._ahead)
+        if not np.array_equal(before, self.evaluator.m):
+            self.recorder.add(time, x)
+        if self.solver is not None:
+            self.solver.restart(time, x)
+
+    def reach(self, target: float) -> None:
+        """Advances to the grid point `target` through all events before it."""
+        if self.solver is None:
+            self._time = target
+            self.evaluator.at(target, self._x)
+            self.evaluator.settle()
+            self.recorder.add(target, self._x)
+            return
+        while target - self._time > _ROUND * max(abs(target), abs(self._time)):
+            arrival = self.solver.advance(target, self.options.stop_time)
+            self._time, self._x = arrival.time, arrival.x
+            if arrival.crossed is not None:
+                wanted = crossed_modes(self._operators, self.evaluator.m, arrival.crossed)
+                self._event(wanted)
+            elif self._operators and not self._modes_hold():
+                self._event(self.evaluator.m.copy())
+        self.recorder.add(target, self._x)
+
+    def _modes_hold(self) -> bool:
+        """Whether every relation still has its mode, beyond doubt by rounding: a net below CVODE's root search."""
+        evaluator = self.evaluator
+        evaluator.at(self._time, self._x)
+        evaluator.event()
+        evaluator.size()
+        clear = np.abs(evaluator.roots) > 1e-6 * evaluator.sizes
+        if not clear.any():
+            return True
+        signs = np.sign(evaluator.roots).astype(np.int_)
+        return not np.any(clear & (crossed_modes(self._operators, evaluator.m, signs) != evaluator.m))
+
+    def _event(self, wanted: Vector) -> None:
+        """Records both sides of an event and starts the solver anew where modes changed."""
+        evaluator = self.evaluator
+        before = evaluator.m.copy()
+        self.recorder.add(self._time, self._x)
+        evaluator.m[:] = wanted
+        settle_modes(evaluator, self._time, self._x, self._ahead)
+        changed = before != evaluator.m
+        self.guard.add(self._time, changed | (wanted != before))
+        if changed.any():
+            self.recorder.add(self._time, self._x)
+        assert self.solver is not None
+        self.solver.restart(self._time, self._x)

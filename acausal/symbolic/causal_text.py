@@ -1,0 +1,109 @@
+"""A CausalSystem as text: the ordered list of assignments and blocks a person can follow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from acausal.lang.flat import Variability
+from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalEquation, CausalSystem, InitialValue
+from acausal.symbolic.describe import equation_text, place
+from acausal.symbolic.expressions.text import to_text
+
+
+def print_causal(system: CausalSystem) -> str:
+    """The whole system as text: states, aliases, running blocks, initial blocks, events, assertions."""
+    sections = (
+        _summary(system),
+        _section("states", _states(system)),
+        _section("parameters", _parameters(system)),
+        _section("aliases", _aliases(system)),
+        _section("running system", _blocks(system.blocks)),
+        _section("initial values", (_initial_value(value, system) for value in system.initial.values)),
+        _section("initial system", _blocks(system.initial.blocks)),
+        _section(
+            "initial checks", (f"0 = {to_text(c.value)}{_source(c.equation)}" for c in system.initial.checks)
+        ),
+        _section(
+            "zero crossings", (f"{i}: {to_text(z.relation)}" for i, z in enumerate(system.zero_crossings, 1))
+        ),
+        _section("assertions", (f"{to_text(a.condition)}  // {place(a.span)}" for a in system.assertions)),
+    )
+    return "\n".join(line for section in sections for line in section) + "\n"
+
+
+def _section(title: str, lines: Iterable[str]) -> Iterator[str]:
+    """A title and its lines, indented; nothing where there are none."""
+    for i, line in enumerate(lines):
+        if i == 0:
+            yield ""
+            yield title
+        yield "  " + line
+
+
+def _summary(system: CausalSystem) -> Iterator[str]:
+    yield f"causal system {system.flat.name}"
+    yield (
+        f"  {len(system.flat.equations)} equations, {len(system.aliases)} aliases, "
+        f"index {system.index}, {len(system.states)} states, {len(system.blocks)} blocks"
+    )
+
+
+def _states(system: CausalSystem) -> Iterator[str]:
+    reasons = {choice.name: choice for choice in system.choices}
+    for name in system.states:
+        reason = reasons[name].reason if name in reasons else ""
+        yield f"{name}  // {reason}"
+    for choice in system.choices:
+        if not choice.is_state:
+            yield f"not {choice.name}  // {choice.reason}"
+
+
+def _parameters(system: CausalSystem) -> Iterator[str]:
+    for name in system.parameters:
+        variable = system.flat.by_name[name]
+        kind = "constant" if variable.variability is Variability.CONSTANT else "parameter"
+        value = variable.binding if variable.binding is not None else variable.start
+        if not variable.is_fixed:
+            yield f"{kind} {name}  // determined by the initial system"
+        else:
+            yield f"{kind} {name} = {'?' if value is None else to_text(value)}"
+
+
+def _aliases(system: CausalSystem) -> Iterator[str]:
+    for alias in system.aliases:
+        yield f"{alias.name} = {to_text(alias.value)}  // {place(alias.equation.span)}"
+
+
+def _blocks(blocks: Iterable[Block]) -> Iterator[str]:
+    for number, block in enumerate(blocks, 1):
+        if block.kind is BlockKind.EXPLICIT:
+            yield f"{number}: {_assignment(block.assignments[0])}"
+        else:
+            yield from _loop(number, block)
+
+
+def _loop(number: int, block: Block) -> Iterator[str]:
+    names = ", ".join([to_text(leaf) for leaf in block.tearing])
+    head = f"{number}: {block.kind.value} block of {block.size}, torn to {len(block.tearing)}"
+    yield f"{head}: solve for {names}"
+    for assignment in block.assignments:
+        yield f"     {_assignment(assignment)}"
+    for residual in block.residuals:
+        yield f"     0 = {to_text(residual.value)}{_source(residual.equation)}"
+
+
+def _assignment(assignment: Assignment) -> str:
+    return f"{to_text(assignment.unknown)} := {to_text(assignment.value)}{_source(assignment.equation)}"
+
+
+def _source(equation: CausalEquation) -> str:
+    """Where the equation stands, and how often it was differentiated."""
+    times = equation.differentiations
+    derived = "" if times == 0 else f", differentiated {'once' if times == 1 else f'{times} times'}"
+    return f"  // {place(equation.flat.span)}: {equation_text(equation.flat)}{derived}"
+
+
+def _initial_value(value: InitialValue, system: CausalSystem) -> str:
+    variable = system.flat.by_name.get(value.name)
+    default = variable is None or (variable.start is None and variable.binding is None)
+    return f"{value.name} = {to_text(value.value)}  // {value.reason}{', default start' if default else ''}"

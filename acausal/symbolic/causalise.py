@@ -1,0 +1,105 @@
+"""The symbolic core on one screen: FlatModel in, CausalSystem out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from acausal.errors import Diagnostic
+from acausal.lang.flat import FlatModel
+from acausal.symbolic.alias import NamedDerivative, Simplified, eliminate_aliases
+from acausal.symbolic.balance import check_balance
+from acausal.symbolic.blocks import NoCompleteMatching, ordered_blocks, square_system
+from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalSystem
+from acausal.symbolic.describe import ReductionProblem, equation_with_place, leaf_texts, listed
+from acausal.symbolic.events import zero_crossings
+from acausal.symbolic.expressions.expr import Expr, der, sym
+from acausal.symbolic.index_reduction import Reduced, reduce_index
+from acausal.symbolic.initial import initial_problem
+from acausal.symbolic.parameters import parameter_values
+from acausal.symbolic.solving import Profiler
+from acausal.symbolic.state_selection import SelectedStates, select_states
+
+
+def causalise(flat: FlatModel) -> CausalSystem:
+    """Choose states, order and tear the equations, and set up the initial problem.
+
+    Time grows near-linearly with the model. Raises BalanceProblem, ReductionProblem, InitializationProblem,
+    LookupProblem (`parameter.cyclic`) and TypeProblem (`parameter.no-value`, `type.real-equality`).
+    """
+    check_balance(flat)
+    values = parameter_values(flat)
+    model = eliminate_aliases(flat, values)
+    reduced = reduce_index(model)
+    selected = select_states(reduced)
+    profiler = Profiler(values, model.flat.by_name)
+    blocks = _running_blocks(reduced, selected, profiler)
+    initial = initial_problem(reduced, selected.states, blocks, profiler)
+    named = _named_state_derivatives(model.named, selected)
+    return CausalSystem(
+        flat=model.flat,
+        parameters=values.order,
+        aliases=model.aliases,
+        equations=(*reduced.equations, *(entry.equation for entry in named)),
+        states=selected.states,
+        dummy_derivatives=selected.dummies,
+        index=differential_index(model, reduced, blocks, selected),
+        blocks=(*blocks, *_derivative_assignments(named)),
+        zero_crossings=zero_crossings(reduced.equations, model.assertions, reduced.chains),
+        assertions=model.assertions,
+        initial=initial,
+        choices=selected.choices,
+    )
+
+
+def _running_blocks(reduced: Reduced, selected: SelectedStates, profiler: Profiler) -> tuple[Block, ...]:
+    """Blocks that give everything but the states. Raises ReductionProblem `reduction.singular`."""
+    known = {sym(name) for name in selected.states}
+    unknowns = [leaf for leaf in reduced.leaves if leaf not in known]
+    try:
+        square = square_system([profiler.profile(e) for e in reduced.equations], unknowns)
+    except NoCompleteMatching as problem:
+        raise _singular(reduced, problem) from None
+    return ordered_blocks(square)
+
+
+def _singular(reduced: Reduced, problem: NoCompleteMatching) -> ReductionProblem:
+    square = problem.square
+    free = leaf_texts(square.unknowns[var] for var in square.matching.unmatched_variables())
+    surplus = [square.profiles[eq].equation.flat for eq in square.matching.unmatched_equations()]
+    span = surplus[0].span if surplus else reduced.model.flat.span
+    message = (
+        f"after index reduction {listed(free)} cannot be determined, and "
+        f"{listed([equation_with_place(e) for e in surplus])} determines nothing"
+    )
+    hint = "terms of these equations cancel: one of them follows from the others"
+    return ReductionProblem(Diagnostic("reduction.singular", message, span, free, hint))
+
+
+def _named_state_derivatives(
+    named: Sequence[NamedDerivative], selected: SelectedStates
+) -> list[NamedDerivative]:
+    states = set(selected.states)
+    return [entry for entry in named if entry.of in states]
+
+
+def _derivative_assignments(named: Sequence[NamedDerivative]) -> list[Block]:
+    """`der(x) := v` for the states whose derivative has a name, so that every state's derivative is there."""
+    return [
+        Block(BlockKind.EXPLICIT, (Assignment(der(sym(entry.of)), sym(entry.derivative), entry.equation),))
+        for entry in named
+    ]
+
+
+def differential_index(
+    model: Simplified, reduced: Reduced, blocks: Sequence[Block], selected: SelectedStates
+) -> int:
+    """0 for an explicit ODE, 1 with algebraic parts, one more for every level of differentiation.
+
+    Differentiations that alias elimination did silently (two rigidly connected masses) count too.
+    """
+    levels = max((model.differentiations, *reduced.reduction.differentiations))
+    if levels:
+        return 1 + levels
+    slopes: set[Expr | None] = {reduced.chains.derivative(sym(name)) for name in selected.states}
+    algebraic = any(unknown not in slopes for block in blocks for unknown in block.unknowns)
+    return 1 if algebraic else 0
