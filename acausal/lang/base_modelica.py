@@ -83,6 +83,7 @@ def _expressions(flat: FlatModel) -> Iterator[Expr]:
         yield equation.right
     for assertion in flat.assertions:
         yield assertion.condition
+        yield assertion.message
 
 
 def _enumeration(type_: ScalarType) -> str:
@@ -151,7 +152,7 @@ def _equation(equation: Equation) -> str:
 
 def _assertion(assertion: Assertion) -> str:
     level = assertion.level.removeprefix("AssertionLevel.")
-    arguments = [_text(assertion.condition), quote_string(assertion.message)]
+    arguments = [_text(assertion.condition), _text(assertion.message)]
     if level != "error":
         arguments.append(f"AssertionLevel.{level}")
     return f"assert({', '.join(arguments)})"

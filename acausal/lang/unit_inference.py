@@ -2,10 +2,12 @@
 
 A variable that declares a unit is *certain*, and so is what sums, products, quotients, constant powers,
 roots, `der`, `abs`, `if`, `min` and `max` make of certain parts alone. A number in a sum, a comparison or a
-branch takes the unit of its neighbours; a number as a factor may hide a unit (`9.81 * t`): both leave the
-result known but doubtful (a zero in a sum leaves it certain). A variable without a unit may have any: a
-product with it is unknown, a sum with it doubtful. Sums on a temperature scale with an offset (degC) are
-unknown, because the difference of two is an interval in K.
+branch takes the unit of its neighbours, which leaves the result known but doubtful (a zero leaves it
+certain). A number as a factor may be a quantity whose unit is not written (`9.81 * t`, or a constant of a
+package, which stands here as its value): with one of the small fractions of mathematics (`2`, `1/2`, `4/3`,
+see `_is_structural`) the product is doubtful, with any other unknown. A variable without a unit may have
+any: a product with it is unknown, a sum with it doubtful. Sums on a temperature scale with an offset (degC)
+are unknown, because the difference of two is an interval in K.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from fractions import Fraction
 
 from acausal.lang import units
 from acausal.lang.units import Unit, multiply, same_dimensions, same_unit
-from acausal.symbolic.expressions.expr import TIME, Expr, fold
+from acausal.symbolic.expressions.expr import TIME, Constant, Expr, fold
 from acausal.symbolic.expressions.operators import RELATIONS
 
 
@@ -28,7 +30,7 @@ class Measure:
     unit: Unit | None
     certain: bool = False
     number: bool = False
-    """Made of literals and Integers only."""
+    """Made of Integers and of literals such as 2 and 1/2 only: without a unit of its own."""
 
 
 UNKNOWN = Measure(None)
@@ -71,7 +73,7 @@ class Inference:
     def visit(self, node: Expr, args: list[Measure]) -> Measure:
         op = node.op
         if op == "const":
-            return _ZERO if node.value == 0 and not isinstance(node.value, bool) else NUMBER
+            return _literal(node.value)
         if op == "mul":
             return _product(args)
         if op == "div":
@@ -121,6 +123,22 @@ def compare(left: Expr, right: Expr, a: Measure, b: Measure, node: Expr | None =
         if not (a.certain and b.certain) or (scales and node is not None and node.op == "add"):
             return None  # a factor or a temperature scale that a number may account for
     return Clash(left, right, a.unit, b.unit, a.certain and b.certain, node)
+
+
+def _literal(value: Constant | None) -> Measure:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return UNKNOWN
+    if value == 0:
+        return _ZERO
+    return NUMBER if _is_structural(value) else UNKNOWN
+
+
+def _is_structural(value: float) -> bool:
+    """A fraction with numerator and denominator up to 12: formulas have them, measurements hardly."""
+    if not 0.05 < abs(value) < 12.5:
+        return False
+    fraction = Fraction(value).limit_denominator(12)
+    return abs(fraction.numerator) <= 12 and math.isclose(float(fraction), value, rel_tol=1e-12)
 
 
 def _product(args: Iterable[Measure]) -> Measure:

@@ -275,12 +275,14 @@ def _discreteness(
 
 
 def _assertion(typing: _Typing, assertion: Assertion) -> Iterator[Diagnostic]:
-    try:
-        found = typing.kind(assertion.condition)
-    except TypeMistake as mistake:
-        yield _mistake(mistake, assertion.span)
-        return
-    if found.type != BOOLEAN:
-        condition = short_text(assertion.condition)
-        message = f"the condition of an assert must be Boolean, but {condition} is {article(found.type)}"
-        yield Diagnostic("type.condition", message, assertion.span, symbols([assertion.condition]))
+    parts = (("condition", assertion.condition, BOOLEAN), ("message", assertion.message, STRING))
+    for what, part, needed in parts:
+        try:
+            found = typing.kind(part)
+        except TypeMistake as mistake:
+            yield _mistake(mistake, assertion.span)
+            continue
+        if found.type != needed:
+            text = f"{short_text(part)} is {article(found.type)}"
+            message = f"the {what} of an assert must be {article(needed)}, but {text}"
+            yield Diagnostic("type.assertion", message, assertion.span, symbols([part]))

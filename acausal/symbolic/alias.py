@@ -15,12 +15,11 @@ from dataclasses import dataclass, replace
 
 from acausal.errors import InitializationProblem, fail
 from acausal.lang.flat import Assertion, Equation, FlatModel, Variable
-from acausal.symbolic.alias_classes import Classes
 from acausal.symbolic.alias_search import AliasSearch
 from acausal.symbolic.attributes import Member, fixed_start, merged, same_value, start_or_default
 from acausal.symbolic.causal import Alias, CausalEquation
 from acausal.symbolic.describe import equation_text, place
-from acausal.symbolic.expressions.expr import TRUE, Expr, sym
+from acausal.symbolic.expressions.expr import Expr, sym
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
 from acausal.symbolic.parameters import ParameterValues
@@ -72,7 +71,7 @@ def eliminate_aliases(flat: FlatModel, values: ParameterValues) -> Simplified:
     eliminated = {alias.name for alias in aliases}
     named = tuple(
         NamedDerivative(x, v, _named_equation(search, x, v))
-        for x, v in sorted(search.named.items(), key=search.order)
+        for x, v in sorted(search.named.items(), key=lambda entry: search.position(entry[0]))
     )
     simplified = Simplified(
         flat=flat,
@@ -113,9 +112,9 @@ def _with_rest(model: Simplified, search: AliasSearch, fixed: list[CausalEquatio
 
 
 def _rewritten_assertion(assertion: Assertion, rewrite: Rewriter, search: AliasSearch) -> Assertion:
-    as_equation = Equation(assertion.condition, TRUE, assertion.span, assertion.component)
-    condition, _ = search.rewritten(rewrite, assertion.condition, TRUE, as_equation)
-    return replace(assertion, condition=condition)
+    as_equation = Equation(assertion.condition, assertion.message, assertion.span, assertion.component)
+    condition, message = search.rewritten(rewrite, assertion.condition, assertion.message, as_equation)
+    return replace(assertion, condition=condition, message=message)
 
 
 def _aliases(flat: FlatModel, search: AliasSearch) -> tuple[Alias, ...]:
@@ -139,7 +138,7 @@ def _with_merged_attributes(
     changed: dict[str, Variable] = {}
     fixed: list[CausalEquation] = []
     for root in search.roots():
-        members = _members(root, search.classes, flat)
+        members = _members(root, search, flat)
         if search.classes.of(root).pinned is None:
             changed[root] = merged(members, values)
         else:
@@ -148,10 +147,11 @@ def _with_merged_attributes(
     return replace(flat, variables=variables, warnings=(*flat.warnings, *values.warnings)), fixed
 
 
-def _members(representative: str, classes: Classes, flat: FlatModel) -> list[Member]:
+def _members(representative: str, search: AliasSearch, flat: FlatModel) -> list[Member]:
+    classes = search.classes
     own_sign = classes.find(representative)[1]
     others = [name for name in classes.of(representative).members if name != representative]
-    ordered = sorted(others, key=lambda name: flat.by_name[name].span.start)
+    ordered = sorted(others, key=search.position)
     return [(flat.by_name[name], own_sign * classes.find(name)[1]) for name in (representative, *ordered)]
 
 

@@ -7,7 +7,8 @@ from acausal.lang.flat import Equation, FlatModel
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
 from acausal.symbolic.describe import base_name, equation_text, equation_with_place, listed
-from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
+from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import all_leaves
 from acausal.symbolic.parameters import ParameterValues
@@ -74,6 +75,17 @@ def no_unknown_left(
             _names(source),
             "correct this equation; no values of its variables satisfy it",
         )
+    )
+
+
+def balanced(rest: Expr) -> tuple[Expr, Expr]:
+    """`rest = 0` as an equation a person reads at a glance: positive terms left, negative ones right."""
+    terms = rest.args if rest.op == "add" else (rest,)
+    negative = [term for term in terms if split_factor(term)[0] < 0]
+    positive = [term for term in terms if split_factor(term)[0] >= 0]
+    return (
+        add(*positive) if positive else ZERO,
+        add(*[neg(term) for term in negative]) if negative else ZERO,
     )
 
 

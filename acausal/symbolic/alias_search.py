@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from acausal.errors import BalanceProblem, fail
 from acausal.lang.flat import Equation, FlatModel, Variability, Variable
 from acausal.symbolic.alias_classes import Classes, Link, Pinned
-from acausal.symbolic.alias_errors import no_unknown_left, redundant_link, two_values
+from acausal.symbolic.alias_errors import balanced, no_unknown_left, redundant_link, two_values
 from acausal.symbolic.attributes import representative_key, signed
 from acausal.symbolic.describe import ReductionProblem, base_name, equation_text
 from acausal.symbolic.expressions.diff import NotDifferentiable
@@ -29,7 +29,7 @@ def not_differentiable(problem: NotDifferentiable, equation: Equation) -> Reduct
         f"cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
-        hint="prescribe it by something differentiable (a ramp without a jump), or write it as smooth(n, ...)",
+        hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",
     )
     return ReductionProblem(error.diagnostics)
 
@@ -60,9 +60,9 @@ class AliasSearch:
         self._candidates: dict[int, None] = {}
         """Equations that look like v = der(x)."""
 
-    def order(self, entry: tuple[str, str]) -> int:
-        """Declaration order of a named derivative."""
-        return self._position[entry[0]]
+    def position(self, name: str) -> int:
+        """Place in declaration order."""
+        return self._position[name]
 
     def determined(self, flat: FlatModel) -> tuple[Variable, ...]:
         """Variables the equations determine, as `flat` (with other attributes) declares them."""
@@ -75,7 +75,7 @@ class AliasSearch:
     def roots(self) -> list[str]:
         """One member of every class of more than one variable or with a value: its representative."""
         seen: dict[str, str] = {}
-        for name in sorted(self.current, key=self._position.__getitem__):
+        for name in sorted(self.current, key=self.position):
             root, _ = self.classes.find(name)
             if root not in seen:
                 seen[root] = self._representative(self.classes.of(root).members)
@@ -108,7 +108,7 @@ class AliasSearch:
         return touched
 
     def _find_constant(self, i: int, leaf: Expr, touched: dict[str, None]) -> None:
-        value = self._solved(self.left[i], self.right[i], leaf)
+        value = self._solved(i, leaf)
         if value is None or not self._is_parametric(value):
             return
         known = self.classes.value(leaf.name)
@@ -118,16 +118,19 @@ class AliasSearch:
         self.live[i] = False
         touched[leaf.name] = None
 
-    def _solved(self, left: Expr, right: Expr, leaf: Expr) -> Expr | None:
+    def _solved(self, i: int, leaf: Expr) -> Expr | None:
         """The value of `leaf` if the equation gives it without dividing by anything but a literal."""
+        left, right = self.left[i], self.right[i]
         for one, other in ((left, right), (right, left)):
             if one is leaf and leaf not in all_leaves([other]):
                 return other
         if self._unknown[leaf.name].type.name != "Real":
             return None
         parts = linear_coefficient(sub(left, right), leaf)
-        if parts is None or parts[0].op != "const" or parts[0].number == 0:
+        if parts is None or parts[0].op != "const":
             return None
+        if parts[0].number == 0:
+            raise no_unknown_left(self.flat, self.values, i, *balanced(parts[1]))
         return neg(div(parts[1], parts[0]))
 
     def _is_parametric(self, value: Expr) -> bool:

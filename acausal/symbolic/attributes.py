@@ -7,7 +7,7 @@ Rules, for members x = s*r with s = +1 or -1:
 - `fixed` is true if it is for any member. Two fixed starts of different value are an error.
 - `start`: a fixed member's, else the representative's, else that of the member with the fewest dots.
 - `nominal`: the representative's, else that of the member with the fewest dots.
-- `min`, `max`: the tightest of all members, where they can be computed; a negated alias swaps and negates them.
+- `min`, `max`: the tightest of all members, where they can be computed; a negated alias swaps them.
 - `stateSelect`: the highest one given that is not `default`.
 """
 

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from acausal.errors import BalanceProblem, Diagnostic
 from acausal.lang.flat import Equation, FlatModel, Origin, Variable
-from acausal.symbolic.describe import SHOWN, equation_text, equation_with_place, listed, place
+from acausal.symbolic.describe import SHOWN, dots, equation_text, equation_with_place, listed
 from acausal.symbolic.expressions.expr import Expr, symbols
-from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose
+from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose, overdetermined_subset
 from acausal.symbolic.graphs.matching import Matching, maximum_matching
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.leaves import determined, value_leaves
@@ -70,25 +70,37 @@ def _diagnostics(system: Structure, matching: Matching, model: str) -> list[Diag
         code = "balance.too-few-equations"
     else:
         code = "balance.structurally-singular"
-    counts = f"{model} has {n_equations} equations for {n_unknowns} unknowns"
+    counts = f"{model} has {counted(n_equations, 'equation')} for {counted(n_unknowns, 'unknown')}"
     if n_equations == n_unknowns:
         counts += ", but they are structurally singular"
-    parts = decompose(system.incidence, matching)
-    over = _over(system, parts.over, matching, code, counts) if parts.over.equations else []
-    under = _under(system, parts.under, matching, code, counts) if parts.under.variables else []
+    over: list[Diagnostic] = []
+    for eq in matching.unmatched_equations()[:PARTS]:
+        over += _over(system, overdetermined_subset(system.incidence, matching, eq), code, counts)
+    under: list[Diagnostic] = []
+    part = decompose(system.incidence, matching).under
+    if part.variables:
+        under = _under(system, part, code, counts)
     return under + over if n_equations < n_unknowns else over + under
 
 
-def _over(system: Structure, part: Part, matching: Matching, code: str, counts: str) -> list[Diagnostic]:
-    """One diagnostic for each equation of the over-determined part, the surplus ones first."""
-    surplus = [eq for eq in part.equations if matching.var_of_eq[eq] is None]
-    suspects = sorted(part.equations, key=lambda eq: _suspicion(system, eq, surplus))
+PARTS = 3
+"""How many over-determined parts are explained; each costs one search."""
+
+
+def counted(number: int, noun: str) -> str:
+    """`1 equation`, `3 equations`."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnostic]:
+    """One diagnostic for each equation of an over-determined part, the most suspicious one first."""
+    suspects = sorted(part.equations, key=lambda eq: _suspicion(system, eq))
     names = tuple(system.unknowns[v].name for v in part.variables)
-    texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
-    what = f"the unknowns {listed(names)}" if names else "no unknown"
-    why = f"{counts}: {len(part.equations)} equations determine {what} ({len(names)}): {listed(texts)}"
-    hint = _hint_over(system, part)
-    result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, hint)]
+    texts = [equation_with_place(system.equations[eq]) for eq in suspects]
+    what = f"{counted(len(names), 'unknown')} ({listed(names)})" if names else "no unknown at all"
+    verb = "determine" if len(texts) > 1 else "determines"
+    why = f"{counts}: {counted(len(texts), 'equation')} {verb} {what}: {listed(texts)}"
+    result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, _hint_over(system, part))]
     for eq in suspects[1:SHOWN]:
         equation = system.equations[eq]
         message = f"'{equation_text(equation)}' belongs to the {len(part.equations)} equations in conflict"
@@ -96,10 +108,12 @@ def _over(system: Structure, part: Part, matching: Matching, code: str, counts: 
     return result
 
 
-def _suspicion(system: Structure, eq: Eq, surplus: list[Eq]) -> tuple[bool, bool, int]:
+def _suspicion(system: Structure, eq: Eq) -> tuple[bool, int, int]:
+    """Equations written by hand, near the top and late in the source come first."""
     equation = system.equations[eq]
     generated = equation.origin in (Origin.FLOW_BALANCE, Origin.UNCONNECTED)
-    return generated, eq not in surplus, eq
+    depth = 0 if not equation.component else 1 + dots(equation.component)
+    return generated, depth, -eq
 
 
 def _hint_over(system: Structure, part: Part) -> str:
@@ -119,21 +133,23 @@ def _hint_over(system: Structure, part: Part) -> str:
     return remove
 
 
-def _under(system: Structure, part: Part, matching: Matching, code: str, counts: str) -> list[Diagnostic]:
-    """One diagnostic for each variable of the under-determined part, the unmatched ones first."""
-    free = [v for v in part.variables if matching.eq_of_var[v] is None]
-    ordered = [*free, *(v for v in part.variables if matching.eq_of_var[v] is not None)]
+def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagnostic]:
+    """One diagnostic for each variable of the under-determined part, those in fewest equations first."""
+    occurrences = dict.fromkeys(part.variables, 0)
+    for eq in part.equations:
+        for var in system.incidence[eq]:
+            if var in occurrences:
+                occurrences[var] += 1
+    ordered = sorted(part.variables, key=lambda v: (occurrences[v], v))
     variables = [system.unknowns[v] for v in ordered]
     names = tuple(v.name for v in variables)
     texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
-    by = f"only {len(texts)} equations: {listed(texts)}" if texts else "no equation at all"
-    why = f"{counts}: the unknowns {listed(names)} ({len(names)}) are determined by {by}"
-    hint = _hint_under(variables, len(free))
+    by = f"only {counted(len(texts), 'equation')}: {listed(texts)}" if texts else "no equation"
+    why = f"{counts}: {counted(len(names), 'unknown')} ({listed(names)}) for {by}"
+    hint = _hint_under(variables, len(part.variables) - len(part.equations))
     result = [Diagnostic(code, why, variables[0].span, names, hint)]
     for variable in variables[1:SHOWN]:
-        message = (
-            f"'{variable.name}' ({place(variable.span)}) belongs to the unknowns without enough equations"
-        )
+        message = f"'{variable.name}' belongs to the unknowns without enough equations"
         result.append(
             Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined")
         )

@@ -56,7 +56,8 @@ class Profiler:
         if not self.is_numeric(left) or not self.is_numeric(right):
             return Profile(equation, _direct(left, right), leaves)
         found = slopes(sub(left, right))
-        return Profile(equation, {leaf: self._rate(a) for leaf, a in found.items()}, leaves)
+        solvable = {leaf: self._rate(a) for leaf, a in found.items() if a is None or not _vanishes(a)}
+        return Profile(equation, solvable, leaves)
 
     def is_numeric(self, expr: Expr) -> bool:
         """Whether the expression is Real, so that it may be subtracted and divided."""
@@ -78,6 +79,11 @@ class Profiler:
         if any(node.op in ("if", "abs", "min", "max", "sign") for node in postorder([coefficient])):
             return Solvability.SWITCHING
         return Solvability.VARYING
+
+
+def _vanishes(coefficient: Expr) -> bool:
+    """Whether the leaf's terms cancel: nothing can be solved for it."""
+    return coefficient.op == "const" and coefficient.number == 0
 
 
 def _direct(left: Expr, right: Expr) -> dict[Expr, Solvability]:

@@ -8,8 +8,8 @@ long as the constraints can be solved for them (`pivoting`). Worth, the first di
 3. `fixed = true`, then an explicit start value;
 4. fewer dots in the name, then declared first.
 
-The Jacobian is evaluated at start values; where none is given, at a number that depends only on the variable's
-position, so that a default start of zero does not hide a coefficient.
+The Jacobian is evaluated at start values; where none is given, at a number that depends only on the
+variable's position, so that a default start of zero does not hide a coefficient.
 """
 
 from __future__ import annotations

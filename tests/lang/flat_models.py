@@ -66,7 +66,7 @@ def equation(text: str, origin: Origin = Origin.EQUATION) -> Equation:
 
 
 def assertion(text: str, message: str = "no", level: str = "error") -> Assertion:
-    return Assertion(expression(text), message, level, span(text))
+    return Assertion(expression(text), expr.const(message), level, span(text))
 
 
 def model(

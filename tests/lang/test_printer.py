@@ -64,7 +64,7 @@ def test_the_generators_make_every_node() -> None:
 
     @given(generators.any_node)
     @settings(
-        max_examples=150,
+        max_examples=300,
         derandomize=True,
         database=None,
         suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],

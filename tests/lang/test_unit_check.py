@@ -65,6 +65,9 @@ def only(found: tuple[Diagnostic, ...]) -> Diagnostic:
         "x = x + y",
         "x = x + 1",
         "x = 2.5",
+        "v = 9.81 * t",  # the number may be an acceleration
+        "x = 1000 * t",
+        "v = 2 * 9.81 * t",
         "0 = x",
         "x = k * t",
         "x = k",
@@ -164,7 +167,18 @@ def test_a_clash_is_reported_once_though_the_expression_is_shared() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["x = 9.81 * t", "x = t + 1", "x = t + k", "v = 2 * x", "x = floor(t)", "x = x + 2 * t"]
+    "text",
+    [
+        "x = 2 * t",
+        "x = t / 3",
+        "E = 0.5 * m * v",
+        "x = t * 4 / 3",
+        "x = t + 1",
+        "x = t + k",
+        "v = 2 * x",
+        "x = floor(t)",
+        "x = x + 2 * t",
+    ],
 )
 def test_doubtful_clash_is_a_warning(text: str) -> None:
     found = only(check(text))

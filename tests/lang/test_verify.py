@@ -181,8 +181,10 @@ def test_initial_equations_have_types() -> None:
 def test_assertions() -> None:
     verify(model(VARIABLES, assertions=[assertion("x > 0 and p > 0")]))
     found = only(model(VARIABLES, assertions=[assertion("x + 1")]))
-    assert found.code == "type.condition"
-    assert found.message == "the condition of an assert must be Boolean, but `x + 1` is a Real"
+    assert found.code == "type.assertion"
+    assert found.message == "the condition of an assert must be a Boolean, but `x + 1` is a Real"
+    silent = dataclasses.replace(assertion("x > 0"), message=const(1))
+    assert only(model(VARIABLES, assertions=[silent])).message.startswith("the message of an assert must be a")
     assert only(model(VARIABLES, assertions=[assertion("w > 0")])).code == "flat.unknown-name"
 
 

@@ -193,7 +193,7 @@ def model(
         ),
         initial_equations=tuple(Equation(a, b, spans[n + m + p + i]) for i, (a, b) in enumerate(start_sides)),
         assertions=tuple(
-            Assertion(read(text), "failed", "error", spans[n + m + p + len(initial) + i])
+            Assertion(read(text), e.const("failed"), "error", spans[n + m + p + len(initial) + i])
             for i, text in enumerate(assertions)
         ),
         experiment=Experiment(),
