@@ -87,7 +87,7 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """One thing that is wrong: `code` is stable (`lookup.unknown-name`), `names` are the model's variables."""
+    """One thing that is wrong; `code` is stable (`lookup.unknown-name`), `names` are the model's own."""
 
     code: str
     message: str
@@ -110,7 +110,7 @@ class Diagnostic:
         }
 
     def render(self) -> str:
-        """Text for a terminal: `file:line:column: severity: message`, the source line with carets, the hint."""
+        """Text for a terminal: `file:line:column: severity: message`, the source line, carets, the hint."""
         where = f"{self.span}: " if self.span else ""
         lines = [f"{where}{self.severity}: {self.message} [{self.code}]"]
         if self.span is not None:

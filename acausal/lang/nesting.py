@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from threading import Lock
@@ -28,7 +28,7 @@ _raised = _Raised()
 
 
 @contextmanager
-def stack_room() -> Iterator[None]:
+def stack_room() -> Generator[None]:
     """Raise Python's recursion limit meanwhile to what a tree at the nesting limit needs.
 
     Python counts its own calls only (they use no C stack), so the higher limit costs nothing. Threads may

@@ -13,6 +13,7 @@ of the step, exactly as it does for a recoverable failure.
 from __future__ import annotations
 
 import warnings
+from contextlib import redirect_stdout
 
 import numpy as np
 from scipy.sparse import csc_matrix
@@ -90,6 +91,7 @@ class Cvode:
                 sparsity=csc_matrix((ones, (self._rows, self._columns)), shape=shape) if self._sparse else None,
                 rtol=limits.rtol,
                 atol=limits.atol if limits.atol.size else 1.0,
+                min_step=limits.min_step,
                 max_step=limits.max_step,
                 max_num_steps=limits.max_steps,
                 eventsfn=self._roots,
@@ -147,7 +149,8 @@ class Cvode:
         self._cvode.init_step(time, x if x.size else np.zeros(1))
 
     def advance(self, target: float, stop: float) -> Arrival:
-        found = self._cvode.step(target, method="normal", tstop=stop)
+        with redirect_stdout(None):  # scikit-sundae prints what it also returns
+            found = self._cvode.step(target, method="normal", tstop=stop)
         time = float(found.t)
         x = found.y[: self._evaluator.x.size]
         if found.status < 0:

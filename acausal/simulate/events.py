@@ -53,10 +53,12 @@ def crossed_modes(ops: tuple[str, ...], modes: Vector, crossed: NDArray[np.int_]
     return np.where(crossed != 0, beyond, modes)
 
 
-def settle_modes(evaluator: Evaluator, time: float, x: Vector, ahead: float) -> None:
+def settle_modes(
+    evaluator: Evaluator, time: float, x: Vector, ahead: float, crossed: NDArray[np.int_] | None = None
+) -> None:
     """Iterates the evaluator's modes to a fixed point at this instant; `ahead` is the small time to look forward.
 
-    Raises `SimulationProblem` (`simulate.mode-cycle`) where they do not settle.
+    `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Raises `SimulationProblem` (`simulate.mode-cycle`) where they do not settle.
     """
     system = evaluator.code.system
     ops = operators(system)
@@ -66,8 +68,9 @@ def settle_modes(evaluator: Evaluator, time: float, x: Vector, ahead: float) -> 
         return
     visited: list[bytes] = []
     history: list[Vector] = []
+    at_root = crossed != 0 if crossed is not None else np.zeros(len(ops), dtype=np.bool_)
     for _ in range(MAX_ITERATIONS):
-        wanted = _wanted(evaluator, time, x, ahead, ops)
+        wanted = _wanted(evaluator, time, x, ahead, at_root)
         if np.array_equal(wanted, evaluator.m):
             return
         visited.append(evaluator.m.tobytes())
@@ -80,14 +83,17 @@ def settle_modes(evaluator: Evaluator, time: float, x: Vector, ahead: float) -> 
     raise _cycle(system, history, time)
 
 
-def _wanted(evaluator: Evaluator, time: float, x: Vector, ahead: float, ops: tuple[str, ...]) -> Vector:
+def _wanted(
+    evaluator: Evaluator, time: float, x: Vector, ahead: float, at_root: NDArray[np.bool_]
+) -> Vector:
     """The values that the relations have now, or a moment later where their root is zero."""
+    ops = operators(evaluator.code.system)
     evaluator.event()
     evaluator.size()
     roots, sizes = evaluator.roots.copy(), evaluator.sizes.copy()
     _check(evaluator, roots, time)
     wanted = literal_modes(ops, roots)
-    near = np.abs(roots) <= BAND * sizes
+    near = at_root | (np.abs(roots) <= BAND * sizes)
     if not near.any():
         return wanted
     evaluator.at(time + ahead, x + ahead * evaluator.xdot)

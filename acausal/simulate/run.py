@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators, settle_modes
@@ -82,9 +83,9 @@ class _Loop:
             self._time, self._x = arrival.time, arrival.x
             if arrival.crossed is not None:
                 wanted = crossed_modes(self._operators, self.evaluator.m, arrival.crossed)
-                self._event(wanted)
+                self._event(wanted, arrival.crossed)
             elif self._operators and not self._modes_hold():
-                self._event(self.evaluator.m.copy())
+                self._event(self.evaluator.m.copy(), None)
         self.recorder.add(target, self._x)
 
     def _modes_hold(self) -> bool:
@@ -99,13 +100,13 @@ class _Loop:
         signs = np.sign(evaluator.roots).astype(np.int_)
         return not np.any(clear & (crossed_modes(self._operators, evaluator.m, signs) != evaluator.m))
 
-    def _event(self, wanted: Vector) -> None:
+    def _event(self, wanted: Vector, crossed: NDArray[np.int_] | None) -> None:
         """Records both sides of an event and starts the solver anew where modes changed."""
         evaluator = self.evaluator
         before = evaluator.m.copy()
         self.recorder.add(self._time, self._x)
         evaluator.m[:] = wanted
-        settle_modes(evaluator, self._time, self._x, self._ahead)
+        settle_modes(evaluator, self._time, self._x, self._ahead, crossed)
         changed = before != evaluator.m
         self.guard.add(self._time, changed | (wanted != before))
         if changed.any():

@@ -16,6 +16,8 @@ from acausal.simulate.result import Result, Statistics
 from acausal.simulate.run import run
 from acausal.simulate.solver import Solver, SolverFactory, Tolerances, Work
 
+_ROUND = 7e-15
+"""The shortest step relative to time: below it, time no longer advances by what the step says."""
 SOLVERS: dict[str, SolverFactory] = {"cvode": Cvode}
 
 
@@ -65,7 +67,8 @@ def integrate(point: InitialPoint, options: Options) -> Result:
     solver: Solver | None = None
     if (code.system.states or code.system.zero_crossings) and options.span > 0:
         atol = options.atol * evaluator.x_nominal
-        limits = Tolerances(options.rtol, atol, options.max_step, options.max_steps)
+        shortest = _ROUND * max(abs(options.start_time), abs(options.stop_time))
+        limits = Tolerances(options.rtol, atol, shortest, options.max_step, options.max_steps)
         solver = SOLVERS[options.solver](evaluator, limits)
     events = run(evaluator, solver, point.x, options, recorder)
     cpu = process_time() - began

@@ -40,6 +40,7 @@ class Tolerances:
 
     rtol: float
     atol: Vector
+    min_step: float
     max_step: float
     max_steps: int
 

@@ -5,9 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, Lookup, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import ZERO, Expr, div, neg, sub, substitute, unknown_leaves
+from acausal.symbolic.expressions.expr import (
+    ZERO,
+    Expr,
+    const,
+    div,
+    fold,
+    neg,
+    rebuild,
+    sub,
+    substitute,
+    unknown_leaves,
+)
 from acausal.symbolic.expressions.linear import linear_coefficient
-from acausal.symbolic.expressions.simplify import collect_terms
+from acausal.symbolic.expressions.simplify import collect_terms, split_factor
 
 _INEQUALITIES = frozenset({"lt", "le", "gt", "ge"})
 _TOLERANCE = 1e-9
@@ -45,10 +56,30 @@ def _solve(difference: Expr, leaf: Expr, moves: Callable[[Expr], bool], values: 
 def _equal(a: Expr, b: Expr, values: Lookup) -> bool:
     if collect_terms(sub(a, b)) is ZERO:
         return True
-    left, right = _number(a, values), _number(b, values)
-    if left is None or right is None:
-        return False
-    return abs(left - right) <= _TOLERANCE * max(abs(left), abs(right))
+    left, right = (_with_values(side, values) for side in (a, b))
+    scale = max(_largest_factor(left), _largest_factor(right))
+    return _largest_factor(collect_terms(sub(left, right))) <= _TOLERANCE * scale
+
+
+def _with_values(expr: Expr, values: Lookup) -> Expr:
+    """The expression with the values of its parameters, as a sum of terms as far as it is one."""
+    known = {leaf: const(value) for leaf in _symbols(expr) if (value := values(leaf.name)) is not None}
+    memo: dict[Expr, Expr] = dict(known)
+
+    def visit(node: Expr, args: list[Expr]) -> Expr:
+        return rebuild(node, tuple(args)) if args else node
+
+    return fold([expr], visit, memo)[expr]
+
+
+def _symbols(expr: Expr) -> list[Expr]:
+    return [leaf for leaf in unknown_leaves(expr) if leaf.op == "sym"]
+
+
+def _largest_factor(expr: Expr) -> float:
+    """The largest literal factor of the terms of a sum: 0 only for zero."""
+    terms = expr.args if expr.op == "add" else (expr,)
+    return max(abs(split_factor(term)[0]) for term in terms)
 
 
 def _number(expr: Expr, values: Lookup) -> float | None:
