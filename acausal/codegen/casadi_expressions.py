@@ -148,32 +148,25 @@ class Converter:
 
     def _known(self, node: Expr, literal: bool) -> SX | None:
         found = self.leaves.get(node)
-        if found is not None:
-            return found
-        if not literal and node.op in RELATIONS and node in self.modes:
-            return self.modes[node]
-        return self._memos[literal].get(node)
+        if found is None:
+            found = self._memos[literal].get(node)
+        if found is None and not literal and node.op in RELATIONS:
+            found = self.modes.get(node)
+        return found
 
     def _convert(self, root: Expr, root_literal: bool) -> SX:
         known = self._known
-        stack: list[tuple[Expr, bool]] = [(root, root_literal)]
+        stack: list[tuple[Expr, bool, bool]] = [(root, root_literal, root_literal or root.op in WRAPPERS)]
         while stack:
-            node, literal = stack[-1]
-            if known(node, literal) is not None:
-                stack.pop()
-                continue
-            below = literal or node.op in WRAPPERS
-            args: list[SX] = []
-            pending = len(stack)
-            for arg in node.args:
-                value = known(arg, below)
-                if value is None:
-                    stack.append((arg, below))
-                else:
-                    args.append(value)
-            if len(stack) == pending:
+            node, literal, below = stack[-1]
+            args = [known(arg, below) for arg in node.args]
+            if None not in args:
                 stack.pop()
                 self._memos[literal][node] = _build(node, args)
+                continue
+            for arg, value in zip(node.args, args, strict=True):
+                if value is None:
+                    stack.append((arg, below, below or arg.op in WRAPPERS))
         result = known(root, root_literal)
         assert result is not None
         return result

@@ -18,7 +18,7 @@ from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
 from acausal.codegen.program import Program
 from acausal.codegen.scope import Scope, column, split
 from acausal.codegen.segments import reads
-from acausal.codegen.stitch import Goal, Nominals, stitch
+from acausal.codegen.stitch import Goal, Nominals, Stitching
 from acausal.lang.flat import STRING
 from acausal.symbolic.causal import Assignment, Block, CausalSystem
 from acausal.symbolic.expressions.expr import ONE, TIME, Expr, add, der, function, make, sub, sym
@@ -101,10 +101,11 @@ def generate(system: CausalSystem) -> Code:
     initial = Program((("t", (TIME,)), *known, ("s", starts)), blocks, "initial")
     nominals = _nominals(system)
     rates = Goal("xdot", tuple(der(state) for state in states))
-    ode = stitch(dynamic, "ode", [rates], nominals, guess=True)
+    stitching = Stitching(dynamic, nominals)
+    ode = stitching.function("ode", [rates], guess=True)
 
-    def compiled(name: str, *goals: Goal) -> Function:
-        return stitch(dynamic, name, goals, nominals)
+    def compiled(name: str, goal: Goal) -> Function:
+        return stitching.function(name, [goal])
 
     crossings = [crossing.relation.args for crossing in system.zero_crossings]
     roots = Goal("root", tuple(sub(left, right) for left, right in crossings))

@@ -33,6 +33,7 @@ _NEWTON: dict[str, object] = {
     "max_iter": 25,
     "error_on_fail": False,
     "linear_solver": "qr",
+    "show_eval_warnings": False,
 }
 
 
@@ -56,18 +57,24 @@ class Nominals:
         return column([ca.fabs(scope.convert(self.of[z])) if z in self.of else other for z in unknowns])
 
 
-def stitch(program: Program, name: str, goals: Sequence[Goal], nominals: Nominals, guess: bool = False) -> Function:
-    """A Function from the program's inputs and `guess` to the goals (and, if asked for, `guess_out`)."""
-    if program.is_explicit:
-        return _stitch_sx(program, name, goals, guess)
-    return _Stitcher(program, name, goals, nominals).function(guess)
+class Stitching:
+    """Makes Functions of one program. An explicit program is converted once, whatever number of Functions share it."""
 
+    def __init__(self, program: Program, nominals: Nominals) -> None:
+        self._program = program
+        self._nominals = nominals
+        self._scope: Scope | None = None
+        if program.is_explicit:
+            self._scope = Scope([*program.groups, ("guess", ())])
+            self._scope.run(program.blocks)
 
-def _stitch_sx(program: Program, name: str, goals: Sequence[Goal], guess: bool) -> Function:
-    scope = Scope([*program.groups, ("guess", ())])
-    scope.run(program.blocks)
-    outputs = [(goal.name, scope.column(goal.roots, goal.literal)) for goal in goals]
-    return scope.function(name, [*outputs, ("guess_out", column([]))] if guess else outputs)
+    def function(self, name: str, goals: Sequence[Goal], guess: bool = False) -> Function:
+        """From the program's inputs and `guess` to the goals (and, if asked for, `guess_out`)."""
+        scope = self._scope
+        if scope is None:
+            return _Stitcher(self._program, name, goals, self._nominals).function(guess)
+        outputs = [(goal.name, scope.column(goal.roots, goal.literal)) for goal in goals]
+        return scope.function(name, [*outputs, ("guess_out", column([]))] if guess else outputs)
 
 
 class _Stitcher:

@@ -77,7 +77,7 @@ class Inference:
         if op == "mul":
             return _product(args)
         if op == "div":
-            return _product([args[0], _power(args[1], Fraction(-1))])
+            return _quotient(node, args)
         if op == "add":
             return _sum(args, self.join(node, node.args, args))
         if op in ("min", "max"):
@@ -134,11 +134,19 @@ def _literal(value: Constant | None) -> Measure:
 
 
 def _is_structural(value: float) -> bool:
-    """A fraction with numerator and denominator up to 12: formulas have them, measurements hardly."""
+    """A fraction such as formulas have, and measurements hardly: up to 12, and no tenths or fifths."""
     if not 0.05 < abs(value) < 12.5:
         return False
     fraction = Fraction(value).limit_denominator(12)
-    return abs(fraction.numerator) <= 12 and math.isclose(float(fraction), value, rel_tol=1e-12)
+    return 12 % fraction.denominator == 0 and math.isclose(float(fraction), value, rel_tol=1e-12)
+
+
+def _quotient(node: Expr, args: list[Measure]) -> Measure:
+    """Who divides by a Real number (`time / 0.5`) rather leaves a unit away than writes a fraction."""
+    below = node.args[1]
+    if below.is_const and isinstance(below.value, float):
+        return UNKNOWN
+    return _product([args[0], _power(args[1], Fraction(-1))])
 
 
 def _product(args: Iterable[Measure]) -> Measure:

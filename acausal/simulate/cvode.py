@@ -92,7 +92,7 @@ class Cvode:
                 rtol=limits.rtol,
                 atol=limits.atol if limits.atol.size else 1.0,
                 min_step=limits.min_step,
-                max_step=limits.max_step,
+                max_step=max(limits.max_step, limits.min_step) if limits.max_step else np.inf,
                 max_num_steps=limits.max_steps,
                 eventsfn=self._roots,
                 num_events=self._evaluator.m.size,

@@ -14,6 +14,7 @@ from casadi import Function
 
 from acausal.codegen.functions import Code
 from acausal.errors import SimulationProblem
+from acausal.simulate.messages import leaf_name
 from acausal.simulate.newton import Vector
 from acausal.simulate.walk import Walk, call, walk
 from acausal.symbolic.expressions.expr import Expr
@@ -106,8 +107,8 @@ class Evaluator:
     def nominal_of(self) -> dict[Expr, float]:
         return dict(zip(self.code.dynamic.guesses, self.z_nominal.tolist(), strict=True))
 
-    def guess_of(self) -> dict[Expr, float]:
-        return dict(zip(self.code.dynamic.guesses, self.guess.tolist(), strict=True))
+    def guess_of(self) -> dict[str, float]:
+        return dict(zip(map(leaf_name, self.code.dynamic.guesses), self.guess.tolist(), strict=True))
 
 
 def _positive(values: Vector) -> Vector:

@@ -149,10 +149,9 @@ def _modes_and_values(code: Code, time: float, p: Vector, starts: Vector) -> tup
 
 
 def _walk(code: Code, time: float, p: Vector, modes: Vector, starts: Vector) -> Vector:
-    nominal = {sym(v.name): 1.0 for v in code.system.flat.unknowns}
-    nominal.update(_nominals(code, p))
+    nominal = _nominals(code, p)
     names = [value.name for value in code.system.initial.values]
-    guess: dict[Expr, float] = {sym(n): float(s) for n, s in zip(names, starts, strict=True)}
+    guess = {n: float(s) for n, s in zip(names, starts, strict=True)}
     how = Walk(InitializationProblem, time, nominal, guess)
     return walk(code.initial, np.concatenate([[time], p, modes, starts]), how)
 

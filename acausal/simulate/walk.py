@@ -22,12 +22,12 @@ from acausal.symbolic.expressions.expr import Expr, unknown_leaves
 
 @dataclass(frozen=True)
 class Walk:
-    """How to walk: `kind` of error to raise, nominal values and first guesses of unknowns, and the time."""
+    """How to walk: `kind` of error to raise, nominal values and first guesses (by text), and the time."""
 
     kind: type[AcausalError]
     time: float
     nominal: dict[Expr, float]
-    guess: dict[Expr, float]
+    guess: dict[str, float]
 
 
 def call(function: Function, *args: Vector) -> list[Vector]:
@@ -56,7 +56,7 @@ def walk(program: Program, inputs: Vector, how: Walk) -> Vector:
 def _solve(code: ImplicitCode, known: Vector, how: Walk) -> Vector:
     block = code.block
     nominal = np.array([how.nominal.get(leaf, 1.0) for leaf in block.tearing])
-    start = np.array([how.guess.get(leaf, 0.0) for leaf in block.tearing])
+    start = np.array([how.guess.get(leaf_name(leaf), 0.0) for leaf in block.tearing])
 
     def system(z: Vector) -> tuple[Vector, Vector]:
         residual, jacobian = call(code.residual, z, known)
@@ -75,7 +75,7 @@ def _solve(code: ImplicitCode, known: Vector, how: Walk) -> Vector:
     if dependent is not None:
         raise _singular(block, dependent, how)
     order = np.argsort(-np.abs(np.nan_to_num(solution.scaled, nan=np.inf, posinf=1e300)), kind="stable")
-    guesses = values_text([(leaf, how.guess.get(leaf, 0.0)) for leaf in block.tearing])
+    guesses = values_text([(leaf, how.guess.get(leaf_name(leaf), 0.0)) for leaf in block.tearing])
     raise block_problem(
         how.kind,
         "simulate.no-solution",

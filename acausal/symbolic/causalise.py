@@ -10,9 +10,10 @@ from acausal.symbolic.alias import NamedDerivative, Simplified, eliminate_aliase
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.blocks import NoCompleteMatching, ordered_blocks, square_system
 from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalSystem
+from acausal.symbolic.derivative_states import name_derivative_states
 from acausal.symbolic.describe import ReductionProblem, equation_with_place, leaf_texts, listed
 from acausal.symbolic.events import zero_crossings
-from acausal.symbolic.expressions.expr import Expr, der, sym
+from acausal.symbolic.expressions.expr import der, sym
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
 from acausal.symbolic.parameters import parameter_values
@@ -30,17 +31,19 @@ def causalise(flat: FlatModel) -> CausalSystem:
     values = parameter_values(flat)
     model = eliminate_aliases(flat, values)
     reduced = reduce_index(model)
-    selected = select_states(reduced)
+    reduced, selected = name_derivative_states(reduced, select_states(reduced))
+    model = reduced.model
+    states = tuple(leaf.name for leaf in selected.states)
     profiler = Profiler(values, model.flat.by_name)
     blocks = _running_blocks(reduced, selected, profiler)
-    initial = initial_problem(reduced, selected.states, blocks, profiler)
-    named = _named_state_derivatives(model.named, selected)
+    initial = initial_problem(reduced, states, blocks, profiler)
+    named = [entry for entry in model.named if entry.of in set(states)]
     return CausalSystem(
         flat=model.flat,
         parameters=values.order,
         aliases=model.aliases,
         equations=(*reduced.equations, *(entry.equation for entry in named)),
-        states=selected.states,
+        states=states,
         dummy_derivatives=selected.dummies,
         index=differential_index(model, reduced, blocks, selected),
         blocks=(*blocks, *_derivative_assignments(named)),
@@ -53,7 +56,7 @@ def causalise(flat: FlatModel) -> CausalSystem:
 
 def _running_blocks(reduced: Reduced, selected: SelectedStates, profiler: Profiler) -> tuple[Block, ...]:
     """Blocks that give everything but the states. Raises ReductionProblem `reduction.singular`."""
-    known = {sym(name) for name in selected.states}
+    known = set(selected.states)
     unknowns = [leaf for leaf in reduced.leaves if leaf not in known]
     try:
         square = square_system([profiler.profile(e) for e in reduced.equations], unknowns)
@@ -67,19 +70,11 @@ def _singular(reduced: Reduced, problem: NoCompleteMatching) -> ReductionProblem
     free = leaf_texts(square.unknowns[var] for var in square.matching.unmatched_variables())
     surplus = [square.profiles[eq].equation.flat for eq in square.matching.unmatched_equations()]
     span = surplus[0].span if surplus else reduced.model.flat.span
-    message = (
-        f"after index reduction {listed(free)} cannot be determined, and "
-        f"{listed([equation_with_place(e) for e in surplus])} determines nothing"
-    )
+    message = f"after index reduction the equations do not determine {listed(free)}"
+    if surplus:
+        message += f", and {listed([equation_with_place(e) for e in surplus])} determines nothing"
     hint = "terms of these equations cancel: one of them follows from the others"
     return ReductionProblem(Diagnostic("reduction.singular", message, span, free, hint))
-
-
-def _named_state_derivatives(
-    named: Sequence[NamedDerivative], selected: SelectedStates
-) -> list[NamedDerivative]:
-    states = set(selected.states)
-    return [entry for entry in named if entry.of in states]
 
 
 def _derivative_assignments(named: Sequence[NamedDerivative]) -> list[Block]:
@@ -100,6 +95,6 @@ def differential_index(
     levels = max((model.differentiations, *reduced.reduction.differentiations))
     if levels:
         return 1 + levels
-    slopes: set[Expr | None] = {reduced.chains.derivative(sym(name)) for name in selected.states}
+    slopes = {reduced.chains.derivative(leaf) for leaf in selected.states}
     algebraic = any(unknown not in slopes for block in blocks for unknown in block.unknowns)
     return 1 if algebraic else 0

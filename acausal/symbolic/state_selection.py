@@ -1,15 +1,23 @@
 """State selection by dummy derivatives, with numeric pivoting at the start values.
 
-Of the candidates of each constraint block those become dummy derivatives that are worth least as states, as
-long as the constraints can be solved for them (`pivoting`). Worth, the first difference deciding:
+Mattsson and Soederlind, "Index reduction in differential-algebraic equations using dummy derivatives", SIAM J.
+Sci. Comput. 14 (1993): for every differentiated equation one derivative becomes a dummy, an algebraic unknown;
+the variable below it is no state. They choose within the blocks of the highest derivatives; here the choice is
+among all derivatives that a connected set of constraints holds, which allows more: with m = rho(p)*V either
+the mass or the pressure can be the state, though der(m) follows from the flows alone. It is enough that on
+every level the constraints can be solved for the chosen variables, since their derivatives are unknown anyway.
+
+Those become dummies that are worth least as states, as long as the constraints can be solved for them
+(`pivoting`). Worth, the first difference deciding:
 
 1. `stateSelect`: always, prefer, default, avoid, never;
 2. a choice that is valid everywhere (constant pivots) goes before one that depends on the state;
 3. `fixed = true`, then an explicit start value;
 4. fewer dots in the name, then declared first.
 
-The Jacobian is evaluated at start values; where none is given, at a number that depends only on the
-variable's position, so that a default start of zero does not hide a coefficient.
+A speed and its angle count together. The Jacobian is evaluated at start values; where none is given, at a
+number that depends only on the variable's position, so that a default start of zero does not hide a
+coefficient.
 """
 
 from __future__ import annotations
@@ -25,7 +33,6 @@ from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant,
 from acausal.symbolic.expressions.expr import TIME, Constant, Expr, sub
 from acausal.symbolic.expressions.linear import slopes
 from acausal.symbolic.expressions.text import to_text
-from acausal.symbolic.graphs.dummy_derivatives import select_dummies
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.index_reduction import Reduced
 from acausal.symbolic.leaves import all_leaves
@@ -34,9 +41,9 @@ from acausal.symbolic.pivoting import Column, Entry, independent_columns
 
 @dataclass(frozen=True)
 class SelectedStates:
-    """The outcome: `states` are variables' names in declaration order."""
+    """The outcome: leaves, in declaration order of their variables."""
 
-    states: tuple[str, ...]
+    states: tuple[Expr, ...]
     dummies: tuple[Expr, ...]
     choices: tuple[StateChoice, ...]
 
@@ -48,17 +55,52 @@ def select_states(reduced: Reduced) -> SelectedStates:
     and `states.always-impossible` where a variable with `stateSelect = always` cannot be a state.
     """
     chooser = _Chooser(reduced)
-    selection = select_dummies(reduced.reduction, chooser.choose)
-    states = tuple(to_text(reduced.leaves[var]) for var in selection.states)
-    dummies = tuple(reduced.leaves[var] for var in selection.dummies)
+    dummies: set[Var] = set()
+    for equations in _constraint_sets(reduced):
+        dummies.update(chooser.dummies(equations))
+    higher = reduced.reduction.derivative_of
+    states = tuple(
+        leaf
+        for leaf, high in zip(reduced.leaves, higher, strict=True)
+        if high is not None and high not in dummies
+    )
     _check_always(reduced, states, chooser)
-    return SelectedStates(_in_order(reduced, states), dummies, _explain(reduced, states, chooser))
+    return SelectedStates(
+        _in_order(reduced, states),
+        tuple(leaf for i, leaf in enumerate(reduced.leaves) if Var(i) in dummies),
+        _explain(reduced, states, chooser),
+    )
 
 
-def _in_order(reduced: Reduced, states: tuple[str, ...]) -> tuple[str, ...]:
-    chosen = dict.fromkeys(states)
-    declared = [v.name for v in reduced.model.unknowns if v.name in chosen]
-    return (*declared, *(name for name in states if name not in reduced.model.flat.by_name))
+def _constraint_sets(reduced: Reduced) -> list[list[Eq]]:
+    """The highest differentiated equations, those together that share highest derivatives; ascending."""
+    reduction = reduced.reduction
+    original = len(reduction.differentiations)
+    derived = [
+        Eq(i) for i in range(original, len(reduction.incidence)) if reduction.equation_derivative[i] is None
+    ]
+    parent = {eq: eq for eq in derived}
+
+    def find(eq: Eq) -> Eq:
+        while parent[eq] != eq:
+            parent[eq] = eq = parent[parent[eq]]
+        return eq
+
+    first: dict[Var, Eq] = {}
+    for eq in derived:
+        for var in reduction.incidence[eq]:
+            if reduction.derivative_of[var] is None:
+                parent[find(eq)] = find(first.setdefault(var, eq))
+    sets: dict[Eq, list[Eq]] = {}
+    for eq in derived:
+        sets.setdefault(find(eq), []).append(eq)
+    return list(sets.values())
+
+
+def _in_order(reduced: Reduced, states: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """In declaration order of the variables, a variable before its derivatives."""
+    position = {v.name: i for i, v in enumerate(reduced.model.flat.variables)}
+    return tuple(sorted(states, key=lambda leaf: position[base_name(leaf)]))
 
 
 Worth = tuple[int, bool, bool, int]
@@ -90,16 +132,33 @@ class _Chooser:
         self.reduced = reduced
         self.decisions: dict[Expr, tuple[tuple[Expr, ...], tuple[CausalEquation, ...]]] = {}
         """Per dummy: the leaves it competed with, and the constraints."""
+        derivatives = reduced.reduction.equation_derivative
         self._integral = {d: i for i, d in enumerate(reduced.reduction.derivative_of) if d is not None}
+        self._eq_integral = {d: Eq(i) for i, d in enumerate(derivatives) if d is not None}
         self._values = _start_values(reduced)
         self._memo: dict[Expr, Constant] = {}
         self._slopes: dict[Eq, dict[Expr, Expr | None]] = {}
 
-    def choose(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> Sequence[Var]:
-        """As `graphs.dummy_derivatives.Choose`."""
-        columns = self._columns(equations, candidates)
-        groups = self._groups(candidates)
-        picked = independent_columns(columns, groups, len(equations))
+    def dummies(self, equations: list[Eq]) -> list[Var]:
+        """The dummies of one set of constraints, from its highest level of differentiation down."""
+        reduction = self.reduced.reduction
+        held = {var: None for eq in equations for var in reduction.incidence[eq]}
+        candidates = [var for var in held if reduction.derivative_of[var] is None]
+        dummies: list[Var] = []
+        while equations:
+            candidates = sorted(candidates)
+            chosen = self._choose(equations, candidates)
+            dummies += chosen
+            lower = (self._eq_integral.get(eq) for eq in equations)
+            equations = sorted(eq for eq in lower if eq is not None and eq in self._eq_integral)
+            candidates = [Var(self._integral[var]) for var in chosen]
+        return dummies
+
+    def _choose(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> list[Var]:
+        """Of the candidates as many as equations, so that the equations can be solved for them."""
+        picked = independent_columns(
+            self._columns(equations, candidates), self._groups(candidates), len(equations)
+        )
         if len(picked) < len(equations):
             raise self._dependent(equations)
         chosen = sorted(candidates[i] for i in picked)
@@ -200,8 +259,8 @@ def _start_values(reduced: Reduced) -> dict[Expr, Constant]:
     return known
 
 
-def _check_always(reduced: Reduced, states: tuple[str, ...], chooser: _Chooser) -> None:
-    chosen = set(states)
+def _check_always(reduced: Reduced, states: tuple[Expr, ...], chooser: _Chooser) -> None:
+    chosen = {to_text(leaf) for leaf in states}
     members = {a.name: a for a in reduced.model.aliases}
     problems: list[Diagnostic] = []
     for variable in reduced.model.flat.variables:
@@ -242,8 +301,8 @@ def _always_impossible(variable: Variable, reduced: Reduced, chooser: _Chooser) 
     )
 
 
-def _explain(reduced: Reduced, states: tuple[str, ...], chooser: _Chooser) -> tuple[StateChoice, ...]:
-    chosen = dict.fromkeys(states)
+def _explain(reduced: Reduced, states: tuple[Expr, ...], chooser: _Chooser) -> tuple[StateChoice, ...]:
+    chosen = {to_text(leaf): None for leaf in states}
     result: list[StateChoice] = []
     rivals: dict[str, list[str]] = {}
     for leaf, (competitors, _) in chooser.decisions.items():

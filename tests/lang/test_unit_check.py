@@ -67,6 +67,9 @@ def only(found: tuple[Diagnostic, ...]) -> Diagnostic:
         "x = 2.5",
         "v = 9.81 * t",  # the number may be an acceleration
         "x = 1000 * t",
+        "x = 0.1 * t",
+        "x = t / 0.5",
+        "E = m / 3.0",
         "v = 2 * 9.81 * t",
         "0 = x",
         "x = k * t",

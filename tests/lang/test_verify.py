@@ -184,7 +184,9 @@ def test_assertions() -> None:
     assert found.code == "type.assertion"
     assert found.message == "the condition of an assert must be a Boolean, but `x + 1` is a Real"
     silent = dataclasses.replace(assertion("x > 0"), message=const(1))
-    assert only(model(VARIABLES, assertions=[silent])).message.startswith("the message of an assert must be a")
+    assert only(model(VARIABLES, assertions=[silent])).message.startswith(
+        "the message of an assert must be a"
+    )
     assert only(model(VARIABLES, assertions=[assertion("w > 0")])).code == "flat.unknown-name"
 
 

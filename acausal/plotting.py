@@ -1,0 +1,124 @@
+# pyright: reportUnknownMemberType=false
+"""Plots of results: one panel per unit over a shared time axis, in colours that colour-blind readers can tell apart.
+
+Drawn with Figure and FigureCanvasAgg, so no display and none of pyplot's global state is used. Files carry no dates
+and no random identifiers: the same result gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from acausal.errors import UsageProblem, fail
+from acausal.simulate.result import Result
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+"""Okabe and Ito's palette (Color Universal Design, 2008), yellow left out."""
+STYLES = ("-", "--", "-.", ":")
+
+DISPLAY_FACTORS: dict[tuple[str, str], float] = {
+    ("Pa", "bar"): 1e-5,
+    ("Pa", "MPa"): 1e-6,
+    ("Pa", "kPa"): 1e-3,
+    ("rad", "deg"): 180 / math.pi,
+    ("rad/s", "rev/min"): 30 / math.pi,
+    ("rad/s", "rpm"): 30 / math.pi,
+    ("rad/s", "1/min"): 30 / math.pi,
+    ("rad/s", "deg/s"): 180 / math.pi,
+    ("m", "mm"): 1e3,
+    ("m", "um"): 1e6,
+    ("m2", "mm2"): 1e6,
+    ("m3", "l"): 1e3,
+    ("m3", "cm3"): 1e6,
+    ("m3/s", "l/min"): 6e4,
+    ("m/s", "km/h"): 3.6,
+    ("kg", "g"): 1e3,
+    ("s", "ms"): 1e3,
+    ("W", "kW"): 1e-3,
+    ("1", "%"): 1e2,
+}
+"""Display units that a plot converts to, and the factor from the unit; any other is shown in its own unit."""
+
+_FORMATS = {".png": "png", ".svg": "svg", ".pdf": "pdf"}
+_PANEL_HEIGHT, _WIDTH, _MARGIN = 2.2, 8.0, 0.9
+
+
+@dataclass(frozen=True)
+class _Curve:
+    name: str
+    unit: str
+    factor: float
+
+
+def plot(result: Result, names: Sequence[str] | None = None, path: str | Path | None = None) -> Figure:
+    """Draws variables over time, one panel for each unit, and writes PNG, SVG or PDF if `path` is given.
+
+    Without names, the result's default selection. Values are in SI units unless a `displayUnit` is declared that
+    `DISPLAY_FACTORS` knows. Raises `LookupProblem` for unknown names and `UsageProblem` for other file types.
+    """
+    chosen = result.default_names if names is None else tuple(names)
+    curves = [_curve(result, name) for name in chosen]
+    panels = list(dict.fromkeys(curve.unit for curve in curves)) or [""]
+    figure = Figure(figsize=(_WIDTH, _MARGIN + _PANEL_HEIGHT * len(panels)), layout="constrained")
+    FigureCanvasAgg(figure)
+    first: Axes | None = None
+    for i, unit in enumerate(panels):
+        axes = figure.add_subplot(len(panels), 1, i + 1, sharex=first)
+        first = first or axes
+        _panel(axes, result, [curve for curve in curves if curve.unit == unit], unit)
+        axes.tick_params(labelbottom=i == len(panels) - 1)
+        if i == len(panels) - 1:
+            axes.set_xlabel("time [s]")
+    if path is not None:
+        _write(figure, Path(path))
+    return figure
+
+
+def _curve(result: Result, name: str) -> _Curve:
+    unit = result.unit(name)
+    variable = result.variable(name)
+    display = variable.display_unit if variable else ""
+    factor = DISPLAY_FACTORS.get((unit, display))
+    return _Curve(name, unit, 1.0) if factor is None else _Curve(name, display, factor)
+
+
+def _panel(axes: Axes, result: Result, curves: Sequence[_Curve], unit: str) -> None:
+    for i, curve in enumerate(curves):
+        colour = COLOURS[i % len(COLOURS)]
+        style = STYLES[i // len(COLOURS) % len(STYLES)]
+        values = curve.factor * result.values(curve.name)
+        axes.plot(result.time, values, color=colour, linestyle=style, linewidth=1.4, label=_plain(curve.name))
+    label = f"[{unit}]" if unit else "[-]"
+    axes.set_ylabel(_plain(f"{curves[0].name} {label}" if len(curves) == 1 else label))
+    axes.grid(visible=True, color="#DDDDDD", linewidth=0.6)
+    axes.margins(x=0)
+    if len(curves) > 1:
+        axes.legend(loc="best", fontsize="small", framealpha=0.8)
+
+
+def _plain(text: str) -> str:
+    """Text that Matplotlib takes literally: no mathematics between dollars, no leading underscore."""
+    escaped = text.replace("$", r"\$")
+    return f" {escaped}" if escaped.startswith("_") else escaped
+
+
+def _write(figure: Figure, path: Path) -> None:
+    kind = _FORMATS.get(path.suffix.lower())
+    if kind is None:
+        raise fail(
+            UsageProblem,
+            "plot.format",
+            f"cannot write a plot to '{path}'",
+            hint="use a file name that ends in .png, .svg or .pdf",
+        )
+    metadata = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
+    with mpl.rc_context({"svg.hashsalt": "acausal", "svg.fonttype": "path"}):
+        figure.savefig(path, format=kind, dpi=150, metadata=metadata)
