@@ -9,23 +9,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import math
+import operator
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, SupportsIndex, TypeAlias
 
-from acausal.codegen.functions import Code
-from acausal.errors import Diagnostic, LookupProblem, Source, SyntaxProblem, UsageProblem, fail
+from acausal.errors import Diagnostic, LookupProblem, Source, UsageProblem, fail
 from acausal.lang.flat import FlatModel
-from acausal.lang.library import Library, library_directories, read_source
-from acausal.lang.parser import parse
+from acausal.lang.library import Library, read_source
 from acausal.pipeline import Compilation, Stage, compile_model, print_stage
-from acausal.simulate.result import Result
-from acausal.simulate.simulate import simulate
+from acausal.sources import add_source, class_name, existing_file, searched_directories, stored_root
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.causal import Block, CausalSystem
 
-ParameterValue = float | int | bool | str
-"""A number, a Boolean, or Modelica text (`"{1, 2}"`, `"Types.Mode.open"`)."""
+if (
+    TYPE_CHECKING
+):  # CasADi, SUNDIALS and xarray take a second to import, and checking a model needs none of them
+    from acausal.codegen.functions import Code
+    from acausal.simulate.result import Result
+
+ParameterValue: TypeAlias = float | int | bool | str | SupportsIndex | Iterable["ParameterValue"]
+"""A number, a Boolean, Modelica text (`"{1, 2}"`, `"Types.Mode.open"`), or a list of these."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +41,17 @@ class Model:
 
     library: Library
     name: str
+    parse_seconds: float = 0.0
+    """What reading and parsing it took; files of a library that it uses are read when they are needed."""
 
-    def check(self, **parameters: ParameterValue) -> tuple[Diagnostic, ...]:
+    def check(
+        self, parameters: Mapping[str, ParameterValue] | None = None, /, **more: ParameterValue
+    ) -> tuple[Diagnostic, ...]:
         """Names, types, units and the balance of equations; returns warnings, raises `AcausalError`."""
-        return checked(self, parameters).warnings
+        compilation = self.run({**(parameters or {}), **more}, stop_after="flat")
+        assert compilation.flat is not None
+        check_balance(compilation.flat)
+        return compilation.warnings
 
     def compile(
         self, parameters: Mapping[str, ParameterValue] | None = None, /, **more: ParameterValue
@@ -46,12 +60,23 @@ class Model:
 
         A string is Modelica text. Raises the `AcausalError` of the stage that finds something wrong.
         """
-        texts = {name: as_modelica(value) for name, value in {**(parameters or {}), **more}.items()}
-        return CompiledModel(compile_model(self.library, self.name, texts))
+        return CompiledModel(self.run({**(parameters or {}), **more}))
 
     def show(self, stage: Stage) -> str:
-        """The text of one stage of the pipeline."""
-        return print_stage(compile_model(self.library, self.name, stop_after=stage), stage)
+        """The text of one stage of the pipeline: `ast`, `instance`, `flat`, `causal` or `code`."""
+        return print_stage(self.run({}, stop_after=stage), stage)
+
+    def run(self, parameters: Mapping[str, ParameterValue], stop_after: Stage = "code") -> Compilation:
+        """The pipeline up to a stage. Raises the `AcausalError` of the stage that finds something wrong."""
+        texts = {name: as_modelica(value, name) for name, value in parameters.items()}
+        compilation = compile_model(self.library, self.name, texts, stop_after)
+        seconds = dict(compilation.seconds)
+        for step in ("parse", "total"):
+            seconds[step] += self.parse_seconds
+        return replace(compilation, seconds=seconds)
+
+    def __repr__(self) -> str:
+        return f"<Model {self.name}>"
 
 
 @dataclass(frozen=True)
@@ -119,10 +144,14 @@ class CompiledModel:
         parameters: Mapping[str, float] | None = None,
         start: Mapping[str, float] | None = None,
     ) -> Result:
-        """Integrate from `start_time` to `stop_time` (s); what is not given comes from the `experiment` annotation.
+        """Integrate from `start_time` to `stop_time` (s).
 
-        `parameters` and `start` change tunable parameters and start values without compiling again.
+        What is not given comes from the `experiment` annotation, else it is 0 to 1 s, 1e-6, 1/500 of the
+        duration. `parameters` and `start` change tunable parameters and start values without compiling again.
+        Raises `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
         """
+        from acausal.simulate.simulate import simulate
+
         return simulate(
             self.code,
             stop_time=stop_time,
@@ -146,80 +175,80 @@ class CompiledModel:
         return html_report(self.causal)
 
 
-def load(
-    name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()
-) -> Model:
+def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()) -> Model:
     """A model by its dotted name on the library path, or from a file `FILE.mo`.
 
     From a file, `name` picks the class (default: the last one in it); `path` is searched before MODELICAPATH.
+    Raises `UsageProblem`, `LookupProblem` and `SyntaxProblem`.
     """
-    library = Library(library_directories(path))
+    began = perf_counter()
+    library = Library(searched_directories(path))
     text = str(name_or_path)
-    if not text.endswith(".mo"):
-        if name is not None:
-            raise fail(UsageProblem, "usage.class", "`name` picks a class of a file; give the full name instead")
-        return Model(library, library.find(text).path)
-    file = Path(text)
-    library = Library((*library.directories, *stored_root(file)))
-    return Model(library, add_source(library, read_source(file, text), name, file))
+    if text.endswith(".mo"):
+        file = existing_file(text)
+        library = Library((*library.directories, *stored_root(file)))
+        found = add_source(library, read_source(file, text), name, file)
+    elif name is not None:
+        raise fail(
+            UsageProblem,
+            "usage.class",
+            "a class can be picked from a file only",
+            hint=f"load `{text}.{name}`",
+        )
+    else:
+        found = library.find(class_name(text)).path
+    return Model(library, found, perf_counter() - began)
 
 
 def loads(text: str, name: str | None = None, *, path: Sequence[str | Path] = ()) -> Model:
     """A model from Modelica text; `name` picks the class (default: the last one)."""
-    library = Library(library_directories(path))
-    return Model(library, add_source(library, Source("<string>", text), name, None))
+    began = perf_counter()
+    library = Library(searched_directories(path))
+    found = add_source(library, Source("<string>", text), name, None)
+    return Model(library, found, perf_counter() - began)
 
 
-def stored_root(file: Path) -> tuple[Path, ...]:
-    """The folder that a file's top-level package lies in, so that its siblings are found."""
-    folder = file.resolve().parent
-    while (folder / "package.mo").is_file():
-        folder = folder.parent
-    return (folder,) if folder != file.resolve().parent else ()
+def as_modelica(value: ParameterValue, name: str = "") -> str:
+    """A Python value as a Modelica expression; text is taken as it is.
+
+    Raises `UsageProblem` for what is not a number.
+    """
+    match value:
+        case str():
+            return value
+        case bool():
+            return "true" if value else "false"
+        case float():
+            if not math.isfinite(value):
+                raise fail(
+                    UsageProblem, "usage.parameter-value", f"{value} is no value for `{name}`", names=[name]
+                )
+            return repr(float(value))
+        case Iterable():
+            return "{" + ", ".join([as_modelica(item, name) for item in value]) + "}"
+        case _:
+            return repr(operator.index(value))
 
 
-def add_source(library: Library, source: Source, name: str | None, file: Path | None) -> str:
-    """Add the classes of a text to the library; returns the full name of the chosen one."""
-    stored = parse(source)
-    if not stored.classes:
-        raise fail(SyntaxProblem, "syntax.no-class", f"{source.path} holds no class", hint="a Modelica file starts with `model Name`")
-    if stored.within:
-        full = ".".join((*stored.within, stored.classes[-1][1].name))
-        return library.find(name or full).path
-    for _, definition in stored.classes:
-        folder = file.resolve().parent if file is not None and file.name == "package.mo" else None
-        library.add(definition, folder)
-    if name is None:
-        return stored.classes[-1][1].name
-    return library.find(_qualified(library, name, [d.name for _, d in stored.classes])).path
+def check_names(compiled: CompiledModel, names: Iterable[str]) -> None:
+    """Raises `LookupProblem` for a name that no result of the model will hold."""
+    from acausal.simulate.names import did_you_mean
+    from acausal.symbolic.expressions.text import to_text
 
-
-def _qualified(library: Library, name: str, tops: Sequence[str]) -> str:
-    """`name` as given, or below the last class of the file."""
-    if name.split(".")[0] in tops:
-        return name
-    inside = f"{tops[-1]}.{name}"
-    try:
-        library.find(inside)
-    except LookupProblem:
-        return name
-    return inside
-
-
-def as_modelica(value: ParameterValue) -> str:
-    """A Python value as a Modelica expression; text is taken as it is."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return value if isinstance(value, str) else repr(value)
-
-
-def checked(model: Model, parameters: Mapping[str, ParameterValue]) -> Compilation:
-    """The flat model, proven, with its balance checked."""
-    texts = {name: as_modelica(value) for name, value in parameters.items()}
-    compilation = compile_model(model.library, model.name, texts, stop_after="flat")
-    assert compilation.flat is not None
-    check_balance(compilation.flat)
-    return compilation
+    known = dict.fromkeys(v.name for v in compiled.flat.variables)
+    known |= dict.fromkeys(to_text(leaf) for leaf in compiled.code.output_leaves)
+    problems = [
+        Diagnostic(
+            "result.unknown-name",
+            f"the model {compiled.name} has no variable `{name}`",
+            names=(name,),
+            hint=did_you_mean(name, known),
+        )
+        for name in names
+        if name not in known
+    ]
+    if problems:
+        raise LookupProblem(problems)
 
 
 def summary_of(compilation: Compilation) -> dict[str, object]:

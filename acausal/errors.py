@@ -17,6 +17,7 @@ Severity = Literal["error", "warning"]
 
 
 _T = TypeVar("_T")
+_Problem = TypeVar("_Problem", bound="AcausalError")
 
 
 @dataclass_transform(frozen_default=True)
@@ -145,6 +146,10 @@ class AcausalError(Exception):
     def codes(self) -> tuple[str, ...]:
         return tuple(d.code for d in self.diagnostics)
 
+    def _render_traceback_(self) -> list[str]:
+        """What IPython and notebooks show: the diagnostics, since a traceback says nothing about a model."""
+        return [type(self).__name__, *str(self).splitlines()]
+
 
 class SyntaxProblem(AcausalError):
     """The text is not Modelica (lexer and parser)."""
@@ -166,6 +171,10 @@ class BalanceProblem(AcausalError):
     """Too many or too few equations, or a structurally singular system."""
 
 
+class ReductionProblem(AcausalError):
+    """Index reduction or state selection fails: a jump in a prescribed quantity, redundant constraints."""
+
+
 class InitializationProblem(AcausalError):
     """The initial problem is over- or under-determined, inconsistent, or does not converge."""
 
@@ -183,13 +192,13 @@ class UsageProblem(AcausalError):
 
 
 def fail(
-    kind: type[AcausalError],
+    kind: type[_Problem],
     code: str,
     message: str,
     span: Span | None = None,
     *,
     names: Iterable[str] = (),
     hint: str = "",
-) -> AcausalError:
+) -> _Problem:
     """Build a typed error with one diagnostic: `raise fail(LookupProblem, "lookup.unknown-name", ...)`."""
     return kind(Diagnostic(code, message, span, tuple(names), hint))

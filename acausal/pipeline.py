@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import gc
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from time import perf_counter
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
-from acausal.codegen.functions import Code, generate
 from acausal.errors import Diagnostic, LookupProblem, Source, Span, UnitProblem, UsageProblem, fail
 from acausal.lang import ast
 from acausal.lang.base_modelica import print_flat
@@ -22,7 +21,7 @@ from acausal.lang.flat import FlatModel
 from acausal.lang.flatten import flatten
 from acausal.lang.instance import Instance, print_instance
 from acausal.lang.library import ClassNode, Library
-from acausal.lang.modifiers import Context, Modifier, modifier_of_arguments
+from acausal.lang.modifiers import Context, modifier_of_arguments
 from acausal.lang.parser import parse_expression
 from acausal.lang.printer import print_class
 from acausal.lang.scope import Root
@@ -32,6 +31,9 @@ from acausal.lang.verify import verify
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.causal_text import print_causal
 from acausal.symbolic.causalise import causalise
+
+if TYPE_CHECKING:
+    from acausal.codegen.functions import Code
 
 Stage = Literal["ast", "instance", "flat", "causal", "code"]
 _T = TypeVar("_T")
@@ -50,7 +52,7 @@ class Compilation:
     causal: CausalSystem | None = None
     code: Code | None = None
     warnings: tuple[Diagnostic, ...] = ()
-    seconds: Mapping[str, float] = field(default_factory=lambda: {})
+    seconds: Mapping[str, float] = field(default_factory=dict[str, float])
 
 
 def compile_model(
@@ -75,6 +77,8 @@ def compile_model(
         causal = clock.run("causalise", lambda: causalise(flat))
         if stop_after == "causal":
             return Compilation(node, instance, flat, causal, warnings=warnings, seconds=clock.seconds)
+        from acausal.codegen.functions import generate  # late: without code there is no need for CasADi
+
         code = clock.run("codegen", lambda: generate(causal))
         return Compilation(node, instance, flat, causal, code, warnings, clock.seconds)
 
@@ -124,7 +128,11 @@ def parameter_modification(name: str, text: str) -> ast.ElementModification:
     parts = tuple(name.split("."))
     if not all(part.isidentifier() or (part.startswith("'") and part.endswith("'")) for part in parts):
         raise fail(
-            UsageProblem, "usage.parameter-name", f"`{name}` is not the name of a parameter", names=[name], hint="use NAME=VALUE"
+            UsageProblem,
+            "usage.parameter-name",
+            f"`{name}` is not the name of a parameter",
+            names=[name],
+            hint="a dotted path of names; an array is given as a whole, NAME={1, 2}",
         )
     value = ast.Modification((), parse_expression(source), span)
     return ast.ElementModification(parts, value, False, False, ast.Comment(None, None), span)
@@ -149,7 +157,13 @@ class _Clock:
     """Seconds per step, in the JSON contract's words."""
 
     def __init__(self) -> None:
-        self.seconds: dict[str, float] = {"parse": 0.0, "flatten": 0.0, "causalise": 0.0, "codegen": 0.0, "total": 0.0}
+        self.seconds: dict[str, float] = {
+            "parse": 0.0,
+            "flatten": 0.0,
+            "causalise": 0.0,
+            "codegen": 0.0,
+            "total": 0.0,
+        }
 
     def run(self, step: str, work: Callable[[], _T]) -> _T:
         start = perf_counter()
@@ -162,8 +176,8 @@ class _Clock:
 
 
 @contextmanager
-def _compiling() -> Iterator[None]:
-    """Room for nested expressions, and no garbage collection: a compilation makes millions of lasting nodes."""
+def _compiling() -> Generator[None, None, None]:
+    """Room for nested expressions, and no garbage collection: a compilation makes lasting nodes."""
     limit, collecting = sys.getrecursionlimit(), gc.isenabled()
     sys.setrecursionlimit(max(limit, RECURSION_LIMIT))
     gc.disable()

@@ -1,8 +1,8 @@
 # pyright: reportUnknownMemberType=false
-"""Plots of results: one panel per unit over a shared time axis, in colours that colour-blind readers can tell apart.
+"""Plots of results: one panel per unit over a shared time axis, in a colour-blind safe palette.
 
-Drawn with Figure and FigureCanvasAgg, so no display and none of pyplot's global state is used. Files carry no dates
-and no random identifiers: the same result gives the same bytes.
+Drawn with Figure and FigureCanvasAgg, so no display and none of pyplot's global state is used. Files carry
+no dates and no random identifiers: the same result gives the same bytes.
 """
 
 from __future__ import annotations
@@ -11,14 +11,17 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from acausal.errors import UsageProblem, fail
-from acausal.simulate.result import Result
+from acausal.lang.flat import Variable
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 """Okabe and Ito's palette (Color Universal Design, 2008), yellow left out."""
@@ -51,6 +54,18 @@ _FORMATS = {".png": "png", ".svg": "svg", ".pdf": "pdf"}
 _PANEL_HEIGHT, _WIDTH, _MARGIN = 2.2, 8.0, 0.9
 
 
+class Plottable(Protocol):
+    """What a plot needs of a result."""
+
+    @property
+    def time(self) -> NDArray[np.float64]: ...
+    @property
+    def default_names(self) -> tuple[str, ...]: ...
+    def values(self, name: str) -> NDArray[np.float64]: ...
+    def unit(self, name: str) -> str: ...
+    def variable(self, name: str) -> Variable | None: ...
+
+
 @dataclass(frozen=True)
 class _Curve:
     name: str
@@ -58,11 +73,12 @@ class _Curve:
     factor: float
 
 
-def plot(result: Result, names: Sequence[str] | None = None, path: str | Path | None = None) -> Figure:
+def plot(result: Plottable, names: Sequence[str] | None = None, path: str | Path | None = None) -> Figure:
     """Draws variables over time, one panel for each unit, and writes PNG, SVG or PDF if `path` is given.
 
-    Without names, the result's default selection. Values are in SI units unless a `displayUnit` is declared that
-    `DISPLAY_FACTORS` knows. Raises `LookupProblem` for unknown names and `UsageProblem` for other file types.
+    Without names, the result's default selection. Values are in SI units unless a `displayUnit` is
+    declared that `DISPLAY_FACTORS` knows. Raises `LookupProblem` for unknown names and `UsageProblem` for
+    other file types.
     """
     chosen = result.default_names if names is None else tuple(names)
     curves = [_curve(result, name) for name in chosen]
@@ -82,7 +98,7 @@ def plot(result: Result, names: Sequence[str] | None = None, path: str | Path | 
     return figure
 
 
-def _curve(result: Result, name: str) -> _Curve:
+def _curve(result: Plottable, name: str) -> _Curve:
     unit = result.unit(name)
     variable = result.variable(name)
     display = variable.display_unit if variable else ""
@@ -90,7 +106,7 @@ def _curve(result: Result, name: str) -> _Curve:
     return _Curve(name, unit, 1.0) if factor is None else _Curve(name, display, factor)
 
 
-def _panel(axes: Axes, result: Result, curves: Sequence[_Curve], unit: str) -> None:
+def _panel(axes: Axes, result: Plottable, curves: Sequence[_Curve], unit: str) -> None:
     for i, curve in enumerate(curves):
         colour = COLOURS[i % len(COLOURS)]
         style = STYLES[i // len(COLOURS) % len(STYLES)]

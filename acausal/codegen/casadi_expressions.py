@@ -1,11 +1,12 @@
 """Expressions as CasADi SX: every node once, without Python recursion.
 
-Conditions. CasADi's SX has no `if`; `if_else(c, a, b)` becomes `(c ? a : 0) + (!c ? b : 0)`, where each half is
-one operation (OP_IF_ELSE_ZERO) that does not read the untaken branch, so a square root of a negative number or a
-division by zero in there does no harm (0 * NaN never occurs). Its *forward* derivative `(c ? a' : 0)` is as safe.
-Its *reverse* derivative is not: where two conditions share a subexpression `u = log(x)`, the sweep adds their
-masked seeds to 0 first and then multiplies by 1/x, which at x = 0 gives 0 * inf = NaN. Hence `FORWARD` and
-`jacobian`: everything here differentiates forward. `tests/codegen/test_casadi_expressions.py` shows both.
+Conditions. CasADi's SX has no `if`; `if_else(c, a, b)` becomes `(c ? a : 0) + (!c ? b : 0)`, where each
+half is one operation (OP_IF_ELSE_ZERO) that does not read the untaken branch, so a square root of a
+negative number or a division by zero in there does no harm (0 * NaN never occurs). Its *forward* derivative
+`(c ? a' : 0)` is as safe. Its *reverse* derivative is not: where two conditions share a subexpression `u =
+log(x)`, the sweep adds their masked seeds to 0 first and then multiplies by 1/x, which at x = 0 gives 0 *
+inf = NaN. Hence `FORWARD` and `jacobian`: everything here differentiates forward.
+`tests/codegen/test_casadi_expressions.py` shows both.
 """
 
 from __future__ import annotations
@@ -159,14 +160,19 @@ class Converter:
         stack: list[tuple[Expr, bool, bool]] = [(root, root_literal, root_literal or root.op in WRAPPERS)]
         while stack:
             node, literal, below = stack[-1]
-            args = [known(arg, below) for arg in node.args]
-            if None not in args:
+            if node in self._memos[literal]:
+                stack.pop()
+                continue
+            args: list[SX] = []
+            for arg in node.args:
+                value = known(arg, below)
+                if value is not None:
+                    args.append(value)
+                else:
+                    stack.append((arg, below, below or arg.op in WRAPPERS))
+            if len(args) == len(node.args):
                 stack.pop()
                 self._memos[literal][node] = _build(node, args)
-                continue
-            for arg, value in zip(node.args, args, strict=True):
-                if value is None:
-                    stack.append((arg, below, below or arg.op in WRAPPERS))
         result = known(root, root_literal)
         assert result is not None
         return result

@@ -1,29 +1,44 @@
 """Code: everything the run-time calls, as CasADi Functions with named inputs and outputs.
 
-Vectors: `t` time, `x` states, `p` all parameters and constants in `CausalSystem.parameters` order, `m` modes in
-`zero_crossings` order (0 or 1), `s` start values in `InitialProblem.values` order, `guess` first values of the
-nonlinear blocks' tearing variables. All Functions but `parameters` and `starts` can be generated as C from here
+Vectors: `t` time, `x` states, `p` all parameters and constants in `CausalSystem.parameters` order, `m`
+modes in `zero_crossings` order (0 or 1), `u` inputs in `FlatModel.inputs` order, `s` start values in
+`InitialProblem.values` order, `z` the tearing variables of the implicit blocks: a guess for `ode` and `jac`,
+which solve for them, and the solution (`z_out` of `ode` at the same point) for everything else.
+
+All Functions but `parameters`, `starts`, `given_inputs` and `nominals` can be generated as C from here
 (`casadi.CodeGenerator`); a C run-time takes the pieces in `dynamic.codes` and brings its own Newton method.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
-from casadi import SX, Function
+from casadi import Function
 
-from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
+from acausal.codegen.casadi_expressions import FORWARD, jacobian
+from acausal.codegen.constants import function_of_parameters, parameter_function
 from acausal.codegen.program import Program
-from acausal.codegen.scope import Scope, column, split
+from acausal.codegen.scope import Scope
 from acausal.codegen.segments import reads
-from acausal.codegen.stitch import Goal, Nominals, Stitching
-from acausal.lang.flat import STRING
-from acausal.symbolic.causal import Assignment, Block, CausalSystem
-from acausal.symbolic.expressions.expr import ONE, TIME, Expr, add, der, function, make, sub, sym
+from acausal.codegen.solvers import Nominals
+from acausal.codegen.starts import OpenStarts, open_starts, start_leaf
+from acausal.codegen.stitch import Goal, Stitching
+from acausal.symbolic.causal import CausalSystem, Residual
+from acausal.symbolic.expressions.expr import (
+    ONE,
+    TIME,
+    ZERO,
+    Expr,
+    add,
+    der,
+    function,
+    postorder,
+    sub,
+    sym,
+)
 
-_NOT_A_NUMBER = float("nan")
 _FLOOR = 1e-3
 
 
@@ -50,130 +65,134 @@ class Code:
     """`(given, override) -> p`: bindings in order, except where `override` is 1: there the given value."""
     starts: Function
     """`p -> s`, the start values of the initial problem."""
+    closed_starts: frozenset[str]
+    """Names in `s` whose start value depends on what the initial problem determines: not to be overridden."""
+    start_roots: Function
+    """`(t, p, u, s) -> root` with every variable at its start value (0 where it has none)."""
+    given_inputs: Function
+    """`p -> u`, the start attributes of the inputs; not-a-number where none is given."""
     nominals: Function
-    """`p -> (x, z)`: nominal values of the states and of the guesses."""
+    """`p -> (x, z)`: nominal values of the states and of the tearing variables."""
     ode: Function
-    """`(t, x, p, m, guess) -> (xdot, guess_out)`."""
+    """`(t, x, p, m, u, z) -> (xdot, z_out)`; `z` is a guess."""
     jac: Function
-    """`(t, x, p, m, guess) -> J`, the sparse exact d xdot / d x."""
+    """`(t, x, p, m, u, z) -> J`, the sparse exact d xdot / d x; `z` is a guess."""
     outputs: Function
-    """`(t, x, p, m, guess) -> y`: the unknowns in `output_leaves` order."""
+    """`(t, x, p, m, u, z) -> y`: the values in `output_leaves` order."""
     events: Function
-    """`(t, x, p, m, guess) -> root`: left minus right side of every zero crossing."""
+    """`(t, x, p, m, u, z) -> root`: left minus right side of every zero crossing."""
     sizes: Function
-    """`(t, x, p, m, guess) -> size`: sum of the absolute values of both sides, to judge what a zero is."""
+    """`(t, x, p, m, u, z) -> size`: sum of the absolute values of both sides, to judge what a zero is."""
     conditions: Function
-    """`(t, x, p, m, guess) -> ok`: the assertions' conditions, 0 or 1."""
+    """`(t, x, p, m, u, z) -> ok`: the assertions' conditions, 0 or 1."""
     checks: Checks
 
     @cached_property
     def output_leaves(self) -> tuple[Expr, ...]:
-        """States, then every unknown of the blocks: what `outputs` returns."""
+        """States, inputs, then every unknown of the blocks: what `outputs` returns."""
         return output_leaves(self.system)
 
     @cached_property
     def relations(self) -> tuple[Expr, ...]:
         return tuple(crossing.relation for crossing in self.system.zero_crossings)
 
+    def describe(self) -> str:
+        """One line per Function: its inputs and outputs with their sizes, and its number of instructions."""
+        functions = (self.ode, self.jac, self.outputs, self.events, self.sizes, self.conditions)
+        return "\n".join(map(_described, functions))
+
+
+def _described(function: Function) -> str:
+    taken = [f"{function.name_in(i)}[{function.nnz_in(i)}]" for i in range(function.n_in())]
+    given = [f"{function.name_out(i)}[{function.nnz_out(i)}]" for i in range(function.n_out())]
+    left, right = ", ".join(taken), ", ".join(given)
+    return f"{function.name()}({left}) -> ({right}), {function.n_instructions()} instructions"
+
+
+def state_leaf(name: str) -> Expr:
+    """The leaf of a state's name: `x`, or `der(x)` where a derivative without a name is a state."""
+    return der(state_leaf(name[4:-1])) if name.startswith("der(") else sym(name)
+
+
+def state_leaves(system: CausalSystem) -> tuple[Expr, ...]:
+    """The states as leaves, in order."""
+    return tuple(state_leaf(name) for name in system.states)
+
+
+def input_leaves(system: CausalSystem) -> tuple[Expr, ...]:
+    """The model's inputs as leaves, in order."""
+    return tuple(sym(variable.name) for variable in system.flat.inputs)
+
 
 def output_leaves(system: CausalSystem) -> tuple[Expr, ...]:
-    """States, then the unknowns of the dynamic blocks in order, each once."""
-    found = dict.fromkeys(sym(name) for name in system.states)
+    """States, inputs, then the unknowns of the dynamic blocks in order, each once."""
+    found = dict.fromkeys((*state_leaves(system), *input_leaves(system)))
     for block in system.blocks:
         found.update(dict.fromkeys(block.unknowns))
     return tuple(found)
 
 
-def start_leaf(name: str) -> Expr:
-    """The input of the initial problem that holds the start value of `name`."""
-    return make("pre", (sym(name),))
-
-
 def generate(system: CausalSystem) -> Code:
     """Compile `system` to CasADi Functions. Raises `UnsupportedProblem` for what has no numeric code."""
     parameters = tuple(sym(name) for name in system.parameters)
-    states = tuple(sym(name) for name in system.states)
+    states = state_leaves(system)
     modes = tuple(crossing.relation for crossing in system.zero_crossings)
     starts = tuple(start_leaf(value.name) for value in system.initial.values)
-    known = (("p", parameters), ("m", modes))
+    known = (("p", parameters), ("m", modes), ("u", input_leaves(system)))
+    opened = open_starts(system)
     dynamic = Program((("t", (TIME,)), ("x", states), *known), system.blocks, "block")
-    blocks = _open_starts(system)
-    initial = Program((("t", (TIME,)), *known, ("s", starts)), blocks, "initial")
-    nominals = _nominals(system)
-    rates = Goal("xdot", tuple(der(state) for state in states))
+    initial = Program((("t", (TIME,)), *known, ("s", starts)), opened.blocks, "initial")
+    nominals = Nominals({sym(v.name): v.nominal for v in system.flat.unknowns if v.nominal is not None})
     stitching = Stitching(dynamic, nominals)
-    ode = stitching.function("ode", [rates], guess=True)
-
-    def compiled(name: str, goal: Goal) -> Function:
-        return stitching.function(name, [goal])
-
-    crossings = [crossing.relation.args for crossing in system.zero_crossings]
-    roots = Goal("root", tuple(sub(left, right) for left, right in crossings))
-    sizes = Goal("size", tuple(add(function("abs", a), function("abs", b)) for a, b in crossings))
+    ode = stitching.closed("ode", [Goal("xdot", tuple(der(state) for state in states))])
+    roots, sizes = _sides(system)
+    values = tuple(value.value for value in system.initial.values)
+    given = tuple(variable.start for variable in system.flat.inputs)
     return Code(
         system=system,
         dynamic=dynamic,
         initial=initial,
-        parameters=_parameters(system, parameters),
-        starts=_of_parameters("starts", parameters, [("s", tuple(v.value for v in system.initial.values))]),
+        parameters=parameter_function(system, parameters),
+        starts=function_of_parameters("starts", parameters, [("s", values)]),
+        closed_starts=opened.closed,
+        start_roots=_start_roots(system, roots, starts),
+        given_inputs=function_of_parameters("given_inputs", parameters, [("u", given)]),
         nominals=_nominal_function(parameters, nominals, states, dynamic.guesses),
         ode=ode,
         jac=_jacobian(ode),
-        outputs=compiled("outputs", Goal("y", output_leaves(system))),
-        events=compiled("events", roots),
-        sizes=compiled("sizes", sizes),
-        conditions=compiled("conditions", Goal("ok", tuple(a.condition for a in system.assertions), True)),
-        checks=_checks(initial, nominals, system),
+        outputs=stitching.function("outputs", Goal("y", output_leaves(system))),
+        events=stitching.function("events", Goal("root", roots)),
+        sizes=stitching.function("sizes", Goal("size", sizes)),
+        conditions=stitching.function("conditions", Goal("ok", _conditions(system), True)),
+        checks=_checks(initial, nominals, opened),
     )
 
 
-def _open_starts(system: CausalSystem) -> tuple[Block, ...]:
-    """The initial blocks with `x := start` reading the start from an input, so that it can be overridden."""
-    values = {value.name: value.value for value in system.initial.values}
-
-    def open_one(assignment: Assignment) -> Assignment:
-        unknown = assignment.unknown
-        if unknown.op == "sym" and values.get(unknown.name) is assignment.value:
-            return replace(assignment, value=start_leaf(unknown.name))
-        return assignment
-
-    return tuple(
-        replace(block, assignments=tuple(open_one(a) for a in block.assignments)) if not block.tearing else block
-        for block in system.initial.blocks
-    )
+def _sides(system: CausalSystem) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """Of every zero crossing, left minus right side, and the sum of their absolute values."""
+    crossings = [crossing.relation.args for crossing in system.zero_crossings]
+    roots = tuple(sub(left, right) for left, right in crossings)
+    return roots, tuple(add(function("abs", a), function("abs", b)) for a, b in crossings)
 
 
-def _parameters(system: CausalSystem, parameters: tuple[Expr, ...]) -> Function:
-    """`(given, override) -> p`; not-a-number for a parameter without a value."""
-    given = SX.sym("given", len(parameters))
-    override = SX.sym("override", len(parameters))
-    convert = Converter({}, {})
-    for leaf, value, chosen in zip(parameters, split(given), split(override), strict=True):
-        variable = system.flat.by_name[leaf.name]
-        default = variable.binding if variable.binding is not None else variable.start
-        if variable.type == STRING or default is None:
-            bound = SX(_NOT_A_NUMBER)
-        else:
-            bound = convert(default)
-        convert.leaves[leaf] = ca.if_else(chosen, value, bound)
-    total = column([convert.leaves[leaf] for leaf in parameters])
-    return Function("parameters", [given, override], [total], ["given", "override"], ["p"], FORWARD)
+def _conditions(system: CausalSystem) -> tuple[Expr, ...]:
+    return tuple(assertion.condition for assertion in system.assertions)
 
 
-def _of_parameters(
-    name: str, parameters: tuple[Expr, ...], outputs: list[tuple[str, tuple[Expr, ...]]]
-) -> Function:
-    """A Function of the parameters alone."""
-    p = SX.sym("p", len(parameters))
-    convert = Converter(dict(zip(parameters, split(p), strict=True)), {})
-    values = [column([convert(root) for root in roots]) for _, roots in outputs]
-    return Function(name, [p], values, ["p"], [output for output, _ in outputs], FORWARD)
-
-
-def _nominals(system: CausalSystem) -> Nominals:
-    """Declared nominal values; a derivative has none."""
-    declared = {sym(v.name): v.nominal for v in system.flat.unknowns if v.nominal is not None}
-    return Nominals(declared)
+def _start_roots(system: CausalSystem, roots: tuple[Expr, ...], starts: tuple[Expr, ...]) -> Function:
+    """The zero crossings' roots with start values put in for the variables."""
+    inputs = input_leaves(system)
+    parameters = tuple(sym(name) for name in system.parameters)
+    scope = Scope([("t", (TIME,)), ("p", parameters), ("u", inputs), ("s", starts)])
+    leaves = scope.convert.leaves
+    given = {leaf.args[0]: leaves[leaf] for leaf in starts}
+    for node in postorder(roots):
+        if node in leaves or node.op not in ("sym", "der", "pre"):
+            continue
+        variable = system.flat.by_name.get(node.name) if node.op == "sym" else None
+        start = variable.start if variable is not None and variable.start is not None else ZERO
+        leaves[node] = given[node] if node in given else scope.convert(start)
+    return scope.function("start_roots", [("root", scope.column(roots))])
 
 
 def _nominal_function(
@@ -182,7 +201,7 @@ def _nominal_function(
     def of(leaves: tuple[Expr, ...]) -> tuple[Expr, ...]:
         return tuple(function("abs", nominals.of.get(leaf, ONE)) for leaf in leaves)
 
-    return _of_parameters("nominals", parameters, [("x", of(states)), ("z", of(guesses))])
+    return function_of_parameters("nominals", parameters, [("x", of(states)), ("z", of(guesses))])
 
 
 def _jacobian(ode: Function) -> Function:
@@ -197,8 +216,9 @@ def _jacobian(ode: Function) -> Function:
     return Function("jacobian", inputs, [jac], ode.name_in(), ["J"], FORWARD)
 
 
-def _checks(initial: Program, nominals: Nominals, system: CausalSystem) -> Checks:
-    roots = [check.value for check in system.initial.checks]
+def _checks(initial: Program, nominals: Nominals, opened: OpenStarts) -> Checks:
+    residuals: tuple[Residual, ...] = opened.checks
+    roots = [check.value for check in residuals]
     known = reads(roots, initial.slots)
     sized = [nominals.of[leaf] for leaf in known if leaf in nominals.of]
     known = reads([*roots, *sized], initial.slots)

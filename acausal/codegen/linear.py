@@ -1,19 +1,41 @@
-"""Solves a linear system of up to three unknowns inside an expression graph, with pivoting."""
+"""Solves a linear system of up to three unknowns inside an expression graph, with pivoting.
+
+A single unknown `a z = b` may have `a = 0` in one mode (a closed valve: 0 z = 0). Systems of several unknowns
+that a mode may make singular are solved by `solvers`.
+"""
 
 from __future__ import annotations
 
 import casadi as ca
 from casadi import SX
 
+from acausal.codegen.casadi_expressions import jacobian
+
 CANCELLED = 1e-13
 """A pivot this small beside the terms it is the difference of means a singular matrix."""
 
 
-def solve_small(matrix: SX, right: SX) -> list[SX]:
-    """`matrix \\ right` by Gaussian elimination with row pivoting; not-a-number where the matrix is singular.
+CONSISTENT = 1e-6
+"""`0 z = b` holds where `b` is this small beside the terms it consists of."""
 
-    Singular means that a pivot is the difference of numbers that agree to 13 digits, which does not depend on
-    how the rows and columns are scaled.
+
+def term_sizes(value: SX, u: SX) -> SX:
+    """`sum_j |d value_i / d u_j| |u_j|`, the size of the terms of each value."""
+    return ca.densify(ca.mtimes(ca.fabs(jacobian(value, u)), ca.fabs(u)))
+
+
+def solve_switching(matrix: SX, right: SX, sizes: SX) -> SX:
+    """`z = b / a`; 0, the solution of minimum norm, where `a` is 0 and so is `b`; else not-a-number."""
+    singular = ca.if_else(ca.fabs(right) <= CONSISTENT * sizes, 0.0, float("nan"))
+    pivot = ca.densify(matrix)
+    return ca.if_else(pivot == 0, singular, right / pivot)
+
+
+def solve_small(matrix: SX, right: SX) -> list[SX]:
+    """The solution of `matrix z = right`; not-a-number where the matrix is singular.
+
+    Gaussian elimination with row pivoting. Singular means that a pivot is the difference of numbers that
+    agree to 13 digits, which does not depend on how the rows and columns are scaled.
     """
     n = int(right.shape[0])
     rows = [[matrix[i, j] for j in range(n)] for i in range(n)]

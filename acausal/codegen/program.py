@@ -1,23 +1,24 @@
 """A program: blocks in order over named groups of inputs, and its pieces as Functions.
 
-Every input and every unknown has one slot in a vector of values. `Program.codes` holds one Function per segment:
-with them the run-time can walk the program piece by piece, which is how the initial problem is solved and how a
-failing block is named. `stitch` joins the same pieces to single Functions for the integrator.
+Every input and every unknown has one slot in a vector of values. `Program.codes` holds one Function per
+segment: with them the run-time can walk the program piece by piece, which is how the initial problem is
+solved and how a failing block is named. `stitch` joins the same pieces to single Functions for the
+integrator.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
+from acausal.codegen.linear import term_sizes
 from acausal.codegen.scope import Scope, block_scope
 from acausal.codegen.segments import Segment, cut, expressions, reads
-from acausal.symbolic.causal import Block, BlockKind
+from acausal.symbolic.causal import Block
 from acausal.symbolic.expressions.expr import Expr
 
 Groups = tuple[tuple[str, tuple[Expr, ...]], ...]
@@ -49,6 +50,13 @@ class ImplicitCode:
     @property
     def block(self) -> Block:
         return self.segment.block
+
+    @cached_property
+    def terms(self) -> Function:
+        """`(z, u) -> size`: of each residual, `sum_j |dr / du_j| |u_j|`. Made when first needed."""
+        z, u = self.residual.sx_in()
+        total = term_sizes(self.residual.call([z, u])[0], u)
+        return Function("terms", [z, u], [total], ["z", "u"], ["size"], FORWARD)
 
     @property
     def writes(self) -> tuple[Expr, ...]:
@@ -83,10 +91,8 @@ class Program:
 
     @cached_property
     def guesses(self) -> tuple[Expr, ...]:
-        """Tearing variables of nonlinear blocks: what the solver has to be given a first value of."""
-        return tuple(
-            z for s in self.segments if s.implicit and s.block.kind is BlockKind.NONLINEAR for z in s.block.tearing
-        )
+        """Tearing variables of the implicit blocks: with their values known, everything else is explicit."""
+        return tuple(z for s in self.segments if s.implicit for z in s.block.tearing)
 
     @property
     def is_explicit(self) -> bool:
@@ -104,7 +110,9 @@ class Program:
         )
 
 
-def explicit_code(segment: Segment, slots: dict[Expr, int], writes: Sequence[Expr], name: str) -> ExplicitCode:
+def explicit_code(
+    segment: Segment, slots: dict[Expr, int], writes: Sequence[Expr], name: str
+) -> ExplicitCode:
     """The run of blocks as one SX Function."""
     known = reads(expressions(segment.blocks), slots, own=segment.writes)
     scope = Scope([("u", known)])
@@ -127,13 +135,3 @@ def implicit_code(segment: Segment, slots: dict[Expr, int], name: str) -> Implic
         Function(f"{name}_residual", [z, u], outputs, ["z", "u"], ["r", "J"], FORWARD),
         Function(f"{name}_rest", [z, u], [rest], ["z", "u"], ["w"], FORWARD),
     )
-
-
-def gather(values: Iterable[Expr], slots: dict[Expr, int]) -> list[int]:
-    """The slots of `values`."""
-    return [slots[value] for value in values]
-
-
-def empty_column() -> ca.MX:
-    """No values at all."""
-    return ca.MX(0, 1)

@@ -12,8 +12,8 @@ import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
-from acausal.codegen.linear import solve_small
-from acausal.codegen.segments import expressions, reads
+from acausal.codegen.linear import solve_small, solve_switching, term_sizes
+from acausal.codegen.segments import expressions, is_implicit, reads
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.operators import RELATIONS
@@ -49,13 +49,16 @@ class Scope:
         return column([self.convert(root, literal) for root in roots])
 
     def run(self, blocks: Iterable[Block]) -> None:
-        """Solves explicit and small linear blocks in order; their unknowns become leaves."""
+        """Solves explicit and small linear blocks in order; their unknowns become leaves.
+
+        Of an implicit block the tearing variables must be leaves already.
+        """
         for block in blocks:
-            if block.kind is BlockKind.EXPLICIT:
+            if block.kind is BlockKind.LINEAR and not is_implicit(block):
+                self._run_linear(block)
+            else:
                 for assignment in block.assignments:
                     self._define(assignment.unknown, self.convert(assignment.value))
-            else:
-                self._run_linear(block)
 
     def _define(self, unknown: Expr, value: SX) -> None:
         self.convert.leaves[unknown] = value
@@ -67,7 +70,12 @@ class Scope:
         residual = local.column([r.value for r in block.residuals])
         zero = SX.zeros(z.shape[0], 1)
         at_zero = Function("residual", [z, u], [residual]).call([zero, u])[0]
-        solution = column(solve_small(jacobian(residual, z), -at_zero))
+        matrix = jacobian(residual, z)
+        solution = (
+            solve_switching(matrix, -at_zero, term_sizes(at_zero, u))
+            if len(block.tearing) == 1
+            else column(solve_small(matrix, -at_zero))
+        )
         values = local.column([a.value for a in block.assignments])
         solve = Function("linear", [u], [solution, *Function("rest", [z, u], [values]).call([solution, u])])
         results = solve.call([self.column(known)])
@@ -82,7 +90,7 @@ class Scope:
 
 
 def block_scope(block: Block, known: Sequence[Expr]) -> tuple[SX, SX, Scope]:
-    """Symbols of the tearing variables and the known values, and a scope in which the assignments have run."""
+    """Symbols of tearing variables and known values, and a scope in which the assignments have run."""
     scope = Scope([("z", block.tearing), ("u", known)])
     for assignment in block.assignments:
         scope.convert.leaves[assignment.unknown] = scope.convert(assignment.value)

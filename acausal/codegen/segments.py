@@ -1,7 +1,8 @@
-"""Cuts an ordered list of blocks into segments: runs that one expression graph evaluates, and implicit blocks.
+"""Cuts an ordered list of blocks into segments: runs of explicit blocks, and implicit blocks.
 
-A segment reads values known before it and writes its unknowns. Small linear blocks are solved symbolically and
-so belong to explicit runs; larger linear blocks and all nonlinear ones stand alone.
+A segment reads values known before it and writes its unknowns. Small linear blocks are solved symbolically
+and so belong to explicit runs; larger linear blocks, those of several unknowns that a mode may make singular,
+and all nonlinear ones stand alone.
 """
 
 from __future__ import annotations
@@ -11,11 +12,14 @@ from dataclasses import dataclass
 
 from acausal.codegen.casadi_expressions import WRAPPERS
 from acausal.symbolic.causal import Block, BlockKind
-from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.expr import Expr, postorder
 from acausal.symbolic.expressions.operators import RELATIONS
 
 INLINE_LINEAR = 3
 """Linear blocks with up to this many tearing variables are solved inside the expression graph."""
+
+
+_SWITCHES = frozenset({"if", "abs", "min", "max", "sign"})
 
 
 @dataclass(frozen=True)
@@ -37,9 +41,14 @@ class Segment:
 
 def is_implicit(block: Block) -> bool:
     """Whether `block` needs a solver at run time."""
-    return block.kind is BlockKind.NONLINEAR or (
-        block.kind is BlockKind.LINEAR and len(block.tearing) > INLINE_LINEAR
-    )
+    if block.kind is not BlockKind.LINEAR:
+        return block.kind is BlockKind.NONLINEAR
+    return len(block.tearing) > INLINE_LINEAR or (len(block.tearing) > 1 and is_switching(block))
+
+
+def is_switching(block: Block) -> bool:
+    """Whether the block's equations hold an `if` or alike, so that coefficients may vanish in one branch."""
+    return any(node.op in _SWITCHES for node in postorder(expressions([block])))
 
 
 def cut(blocks: Sequence[Block]) -> tuple[Segment, ...]:

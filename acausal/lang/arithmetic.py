@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import prod
 
 from acausal.errors import Span, TypeProblem, UnsupportedProblem, fail
-from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING
 from acausal.lang.values import AnyValue, Value, describe, elementwise, scalar, unify, zip_with
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
-_RELATION = {"<": "lt", "<=": "le", ">": "gt", ">=": "ge", "==": "eq", "<>": "ne"}
+RELATIONS = {"<": "lt", "<=": "le", ">": "gt", ">=": "ge", "==": "eq", "<>": "ne"}
 
 
-def type_error(code: str, message: str, span: Span, hint: str = "", names: tuple[str, ...] = ()) -> TypeProblem:
+def type_error(
+    code: str, message: str, span: Span, hint: str = "", names: tuple[str, ...] = ()
+) -> TypeProblem:
     """A `TypeProblem` with one diagnostic."""
-    error = fail(TypeProblem, code, message, span, names=names, hint=hint)
-    assert isinstance(error, TypeProblem)
-    return error
+    return fail(TypeProblem, code, message, span, names=names, hint=hint)
 
 
 def as_value(value: AnyValue, span: Span) -> Value:
@@ -31,7 +32,9 @@ def as_scalar(value: AnyValue, span: Span, what: str = "expression") -> Value:
     """A scalar. Raises `type.not-scalar`."""
     plain = as_value(value, span)
     if plain.shape:
-        raise type_error("type.not-scalar", f"this {what} must be a scalar, but it is {describe(plain)}", span)
+        raise type_error(
+            "type.not-scalar", f"this {what} must be a scalar, but it is {describe(plain)}", span
+        )
     return plain
 
 
@@ -40,7 +43,10 @@ def as_boolean(value: AnyValue, span: Span, what: str = "condition") -> Expr:
     plain = as_scalar(value, span, what)
     if plain.type != BOOLEAN:
         raise type_error(
-            "type.not-boolean", f"this {what} must be Boolean, but it is {plain.type}", span, "compare it with something"
+            "type.not-boolean",
+            f"this {what} must be Boolean, but it is {plain.type}",
+            span,
+            "compare it with something",
         )
     return plain.item
 
@@ -48,7 +54,7 @@ def as_boolean(value: AnyValue, span: Span, what: str = "condition") -> Expr:
 def binary(operator: str, left: AnyValue, right: AnyValue, span: Span) -> Value:
     """The value of `left operator right`. Raises `TypeProblem`."""
     a, b = as_value(left, span), as_value(right, span)
-    if operator in _RELATION:
+    if operator in RELATIONS:
         return _relation(operator, a, b, span)
     if operator in ("and", "or"):
         return _logical(operator, a, b, span)
@@ -113,24 +119,31 @@ def _elementwise(operator: str, a: Value, b: Value, span: Span) -> Value:
     result = zip_with(_ELEMENT[operator], a, b, type_)
     if result is None:
         raise _sizes(operator, a, b, span)
-    return result
+    return with_integers(result)
+
+
+def with_integers(value: Value) -> Value:
+    """An Integer result with Integer literals: `n - n` and `0 * n` are 0, not 0.0."""
+    if value.type != INTEGER or all(type(item.value) is not float for item in value.items):
+        return value
+    items = [ex.const(int(item.number)) if type(item.value) is float else item for item in value.items]
+    return Value(INTEGER, value.shape, tuple(items))
 
 
 def _times(a: Value, b: Value, span: Span) -> Value:
     type_ = unify(a.type, b.type) or REAL
     if not a.shape or not b.shape:
         return _elementwise("*", a, b, span)
-    if a.shape[-1] != b.shape[0] or len(a.shape) > 2 or len(b.shape) > 2:
+    left, right = list(a.shape), list(b.shape)
+    if left[-1] != right[0] or len(left) > 2 or len(right) > 2:
         raise _sizes("*", a, b, span, "use `.*` for the product element by element")
-    rows = 1 if len(a.shape) == 1 else a.shape[0]
-    columns = 1 if len(b.shape) == 1 else b.shape[1]
-    inner = b.shape[0]
+    inner, rows, columns = right[0], prod(left[:-1]), prod(right[1:])
     items = [
         dot([a.items[i * inner + k] for k in range(inner)], [b.items[k * columns + j] for k in range(inner)])
         for i in range(rows)
         for j in range(columns)
     ]
-    return Value(type_, a.shape[:-1] + b.shape[1:], tuple(items))
+    return with_integers(Value(type_, a.shape[:-1] + b.shape[1:], tuple(items)))
 
 
 def dot(a: list[Expr], b: list[Expr]) -> Expr:
@@ -155,12 +168,14 @@ def _power(a: Value, b: Value, span: Span) -> Value:
 
 def _relation(operator: str, a: Value, b: Value, span: Span) -> Value:
     if a.shape or b.shape:
-        raise type_error("type.not-scalar", f"`{operator}` compares scalars, not {describe(a)} and {describe(b)}", span)
+        raise type_error(
+            "type.not-scalar", f"`{operator}` compares scalars, not {describe(a)} and {describe(b)}", span
+        )
     if unify(a.type, b.type) is None:
         raise type_error(
             "type.mismatch", f"`{operator}` cannot compare {describe(a)} with {describe(b)}", span
         )
-    return scalar(BOOLEAN, ex.relation(_RELATION[operator], a.item, b.item))
+    return scalar(BOOLEAN, ex.relation(RELATIONS[operator], a.item, b.item))
 
 
 def _logical(operator: str, a: Value, b: Value, span: Span) -> Value:
@@ -197,9 +212,9 @@ def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> 
         )
     if a.shape != b.shape:
         raise type_error(
-            "type.array-size", f"the branches of this `if` have different sizes: {describe(a)} and {describe(b)}", span
+            "type.array-size",
+            f"the branches of this `if` have different sizes: {describe(a)} and {describe(b)}",
+            span,
         )
     items = [ex.if_then_else(condition, x, y) for x, y in zip(a.items, b.items, strict=True)]
     return Value(type_, a.shape, tuple(items))
-
-

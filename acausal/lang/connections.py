@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from acausal.errors import Span, TypeProblem, fail
-from acausal.lang.flat import Equation, Origin
-from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, leaves
+from acausal.errors import Span
+from acausal.lang.connection_errors import constant_clash, mismatch, not_a_connector, two_sources
+from acausal.lang.flat import Causality, Equation, Origin, Variability
+from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, Outer, leaves
 from acausal.symbolic.expressions import expr as ex
-from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.expr import Constant, Expr
 
 _Node = tuple[str, bool]
 """Path of a variable, and whether it is seen from outside its connector's component (an inside connector)."""
@@ -23,10 +24,14 @@ _Node = tuple[str, bool]
 class ConnectionSets:
     """Union of connected variables while `connect` equations are collected."""
 
-    parent: dict[_Node, _Node] = field(default_factory=lambda: {})
-    leaf: dict[str, Leaf] = field(default_factory=lambda: {})
-    place: dict[_Node, tuple[Span, str]] = field(default_factory=lambda: {})
+    parent: dict[_Node, _Node] = field(default_factory=dict[_Node, _Node])
+    leaf: dict[str, Leaf] = field(default_factory=dict[str, Leaf])
+    place: dict[_Node, tuple[Span, str]] = field(default_factory=dict[_Node, tuple[Span, str]])
     """Where a node was first connected: the connect equation and the component that holds it."""
+    constants: list[tuple[Leaf, Leaf, Span]] = field(default_factory=list[tuple[Leaf, Leaf, Span]])
+    """Parameters in connected connectors: their values must agree."""
+    hidden: set[str] = field(default_factory=set[str])
+    """Variables of protected connectors, which nothing outside their component can feed."""
 
     def find(self, node: _Node) -> _Node:
         root = node
@@ -51,54 +56,42 @@ def connect(
 
     Raises `TypeProblem` `connect.*` when the connectors do not fit.
     """
-    (a, a_inside), (b, b_inside) = left, right
-    if isinstance(a, Absent) or isinstance(b, Absent):
-        return
-    if isinstance(a, Array) or isinstance(b, Array):
-        _connect_arrays(sets, left, right, span, component)
-        return
-    if isinstance(a, Instance) and isinstance(b, Instance):
-        _connect_instances(sets, (a, a_inside), (b, b_inside), span, component)
-        return
-    if not isinstance(a, Leaf) or not isinstance(b, Leaf):
-        raise _mismatch(a, b, span, "one is a scalar, the other has components")
-    _connect_leaves(sets, (a, a_inside), (b, b_inside), span, component)
+    for side in (left[0], right[0]):
+        if (isinstance(side, Instance) and not side.is_connector) or (
+            isinstance(side, Leaf) and not side.connector
+        ):
+            raise not_a_connector(side, span)
+    _connect(sets, left, right, span, component)
 
 
-def _connect_arrays(
+def _connect(
     sets: ConnectionSets, left: tuple[Member, bool], right: tuple[Member, bool], span: Span, component: str
 ) -> None:
     (a, a_inside), (b, b_inside) = left, right
-    if not isinstance(a, Array) or not isinstance(b, Array) or a.shape != b.shape:
-        raise _mismatch(a, b, span, f"their sizes are {_size(a)} and {_size(b)}")
-    for x, y in zip(a.items, b.items, strict=True):
-        connect(sets, (x, a_inside), (y, b_inside), span, component)
+    if isinstance(a, Leaf) and isinstance(b, Leaf):
+        _connect_leaves(sets, (a, a_inside), (b, b_inside), span, component)
+    elif isinstance(a, Instance) and isinstance(b, Instance):
+        names = list(a.members)
+        if len(names) != len(b.members) or any(name not in b.members for name in names):
+            only = [n for n in names if n not in b.members] + [n for n in b.members if n not in names]
+            raise mismatch(a, b, span, f"only one of them has `{'`, `'.join(only)}`")
+        for name in names:
+            x, y = a.members[name], b.members[name]
+            if not isinstance(x, Outer) and not isinstance(y, Outer):
+                _connect(sets, (x, a_inside), (y, b_inside), span, component)
+    elif isinstance(a, Absent) or isinstance(b, Absent):
+        return
+    elif isinstance(a, Array) and isinstance(b, Array) and a.shape == b.shape:
+        for x, y in zip(a.items, b.items, strict=True):
+            _connect(sets, (x, a_inside), (y, b_inside), span, component)
+    elif isinstance(a, Array) or isinstance(b, Array):
+        raise mismatch(a, b, span, f"their sizes are {_size(a)} and {_size(b)}")
+    else:
+        raise mismatch(a, b, span, "one is a scalar, the other has components")
 
 
 def _size(member: Member) -> str:
     return f"[{', '.join(map(str, member.shape))}]" if isinstance(member, Array) else "scalar"
-
-
-def _connect_instances(
-    sets: ConnectionSets, left: tuple[Instance, bool], right: tuple[Instance, bool], span: Span, component: str
-) -> None:
-    (a, a_inside), (b, b_inside) = left, right
-    for connector in (a, b):
-        if not connector.is_connector and not connector.is_record:
-            raise fail(
-                TypeProblem,
-                "connect.not-a-connector",
-                f"`{connector.path}` is a {connector.scope.kind} (`{connector.scope.path}`), not a connector",
-                span,
-                names=[connector.path],
-                hint="connect connectors of the two components",
-            )
-    names, others = list(a.members), list(b.members)
-    if sorted(names) != sorted(others):
-        only = [n for n in names if n not in others] + [n for n in others if n not in names]
-        raise _mismatch(a, b, span, f"only one of them has `{'`, `'.join(only)}`")
-    for name in names:
-        connect(sets, (a.members[name], a_inside), (b.members[name], b_inside), span, component)
 
 
 def _connect_leaves(
@@ -106,24 +99,27 @@ def _connect_leaves(
 ) -> None:
     (a, a_inside), (b, b_inside) = left, right
     if a.type != b.type:
-        raise _mismatch(a, b, span, f"their types are {a.type} and {b.type}")
+        raise mismatch(a, b, span, f"their types are {a.type} and {b.type}")
     if a.prefixes.connection is not b.prefixes.connection:
-        raise _mismatch(a, b, span, "one is a flow variable, the other is not")
+        raise mismatch(a, b, span, "one is a flow variable, the other is not")
+    parameters = [x for x in (a, b) if x.prefixes.variability <= Variability.PARAMETER]
+    if len(parameters) == 2:
+        sets.constants.append((a, b, span))
+        return
+    if parameters:
+        raise mismatch(a, b, span, f"`{parameters[0].path}` is a parameter, the other a variable")
     sets.leaf[a.path], sets.leaf[b.path] = a, b
     sets.join((a.path, a_inside), (b.path, b_inside), span, component)
 
 
-def _mismatch(a: Member, b: Member, span: Span, why: str) -> TypeProblem:
-    error = fail(
-        TypeProblem,
-        "connect.mismatch",
-        f"`{a.path}` and `{b.path}` cannot be connected: {why}",
-        span,
-        names=[a.path, b.path],
-        hint="connect connectors with the same variables; an adapter component converts between different ones",
-    )
-    assert isinstance(error, TypeProblem)
-    return error
+def check_constants(sets: ConnectionSets, values: dict[str, Constant]) -> None:
+    """Parameters of connected connectors must have equal values (9.2). Raises `connect.constant`."""
+    for a, b, span in sets.constants:
+        if values[a.path] != values[b.path]:
+            raise constant_clash(a, b, values, span)
+
+
+# --------------------------------------------------------------------------- equations
 
 
 def connection_equations(sets: ConnectionSets, root: Instance) -> list[Equation]:
@@ -138,7 +134,8 @@ def connection_equations(sets: ConnectionSets, root: Instance) -> list[Equation]
         if leaf.prefixes.connection is Connection.FLOW:
             equations.append(_flow_balance(members, span, component))
         else:
-            equations += _equalities(members, sets, component)
+            _check_sources(members, sets)
+            equations += _equalities(members, sets)
     equations += _unconnected(sets, root)
     return equations
 
@@ -148,9 +145,20 @@ def _flow_balance(members: list[_Node], span: Span, component: str) -> Equation:
     return Equation(ex.add(*terms), ex.ZERO, span, component, Origin.FLOW_BALANCE)
 
 
-def _equalities(members: list[_Node], sets: ConnectionSets, component: str) -> list[Equation]:
+def _check_sources(members: list[_Node], sets: ConnectionSets) -> None:
+    """At most one output of a part or public input of the component itself may feed a set (9.3)."""
+    sources: list[_Node] = []
+    for path, inside in members:
+        source = Causality.OUTPUT if inside else Causality.INPUT
+        if sets.leaf[path].prefixes.causality is source and (inside or path not in sets.hidden):
+            sources.append((path, inside))
+    if len(sources) > 1:
+        raise two_sources(sources[0][0], sources[1][0], sets.place[sources[1]][0])
+
+
+def _equalities(members: list[_Node], sets: ConnectionSets) -> list[Equation]:
     first = ex.sym(members[0][0])
-    paths = list(dict.fromkeys(path for path, _ in members[1:] if path != members[0][0]))
+    paths = list(dict.fromkeys([path for path, _ in members[1:] if path != members[0][0]]))
     return [
         Equation(first, ex.sym(path), _place(sets, path)[0], _place(sets, path)[1], Origin.CONNECTION)
         for path in paths
@@ -158,7 +166,7 @@ def _equalities(members: list[_Node], sets: ConnectionSets, component: str) -> l
 
 
 def _place(sets: ConnectionSets, path: str) -> tuple[Span, str]:
-    return sets.place.get((path, True)) or sets.place[(path, False)]
+    return sets.place.get((path, True)) or sets.place[path, False]
 
 
 def _unconnected(sets: ConnectionSets, root: Instance) -> list[Equation]:
@@ -172,13 +180,15 @@ def _unconnected(sets: ConnectionSets, root: Instance) -> list[Equation]:
 def _flow_leaves(root: Instance) -> list[tuple[Leaf, str]]:
     """Flow variables of all connectors, with the component that owns the connector."""
     found: list[tuple[Leaf, str]] = []
-    stack: list[tuple[Member, str]] = [(root, "")]
+    stack: list[tuple[Member | Outer, str]] = [(root, "")]
     while stack:
         member, owner = stack.pop()
         if isinstance(member, Array):
-            stack.extend((item, owner) for item in reversed(member.items))
+            if member.type is None:
+                stack.extend([(item, owner) for item in reversed(member.items)])
         elif isinstance(member, Instance) and member.is_connector:
             found += [(x, owner) for x in leaves(member) if x.prefixes.connection is Connection.FLOW]
         elif isinstance(member, Instance):
-            stack.extend((part, member.path) for part in reversed(member.members.values()))
+            parts = reversed(member.members.values())
+            stack.extend([(part, member.path) for part in parts if not isinstance(part, Leaf)])
     return found

@@ -12,6 +12,7 @@ from enum import Enum, IntEnum
 from functools import cached_property
 
 from acausal.errors import Diagnostic, Span
+from acausal.lang.light import light_value
 from acausal.symbolic.expressions.expr import Expr
 
 
@@ -39,6 +40,8 @@ class StateSelect(IntEnum):
 
 
 class Causality(Enum):
+    """The prefixes `input` and `output`."""
+
     LOCAL = "local"
     INPUT = "input"
     OUTPUT = "output"
@@ -69,7 +72,7 @@ BOOLEAN = ScalarType("Boolean")
 STRING = ScalarType("String")
 
 
-@dataclass(frozen=True, slots=True)
+@light_value
 class Variable:
     """A scalar variable, parameter or constant with its attributes.
 
@@ -82,6 +85,7 @@ class Variable:
     variability: Variability
     span: Span
     causality: Causality = Causality.LOCAL
+    """Of the model's own interface only: inputs of components are determined by connections."""
     binding: Expr | None = None
     start: Expr | None = None
     fixed: bool | None = None
@@ -98,18 +102,30 @@ class Variable:
     structural: bool = False
     """A parameter whose value shaped the model (an array size, an `if`-equation): changing it re-flattens."""
     top_level: bool = False
-    """Declared (or inherited) by the model itself, not by one of its components."""
+    """Declared (or inherited) by the model itself or its own connectors, not by one of its components."""
     description: str = ""
 
     @property
+    def is_parameter(self) -> bool:
+        """A parameter or constant."""
+        return self.variability <= Variability.PARAMETER
+
+    @property
     def is_unknown(self) -> bool:
-        """Neither parameter nor constant: something the equations must determine."""
+        """Neither parameter nor constant: it varies with time."""
         return self.variability > Variability.PARAMETER
+
+    @property
+    def is_input(self) -> bool:
+        """Known from outside as a function of time: an `input` of the model itself without a value."""
+        return (
+            self.causality is Causality.INPUT and self.top_level and self.variability > Variability.PARAMETER
+        )
 
     @property
     def is_fixed(self) -> bool:
         """`fixed` with Modelica's default: true for parameters and constants, false for variables."""
-        return self.fixed if self.fixed is not None else not self.is_unknown
+        return self.fixed if self.fixed is not None else self.is_parameter
 
 
 class Origin(Enum):
@@ -122,9 +138,9 @@ class Origin(Enum):
     UNCONNECTED = "unconnected flow"
 
 
-@dataclass(frozen=True, slots=True)
+@light_value
 class Equation:
-    """`left = right` between scalars; `component` is the path of the component that wrote it ("" at the top)."""
+    """`left = right` between scalars; `component` is the path of the one that wrote it ("" at the top)."""
 
     left: Expr
     right: Expr
@@ -133,7 +149,7 @@ class Equation:
     origin: Origin = Origin.EQUATION
 
 
-@dataclass(frozen=True, slots=True)
+@light_value
 class Assertion:
     """`assert(condition, message, level)`; `message` is an expression of type String."""
 
@@ -174,10 +190,15 @@ class FlatModel:
 
     @cached_property
     def unknowns(self) -> tuple[Variable, ...]:
-        """Variables that the equations must determine: neither parameters nor constants."""
-        return tuple(v for v in self.variables if v.is_unknown)
+        """Variables that the equations must determine: neither parameters nor constants nor inputs."""
+        return tuple(v for v in self.variables if v.is_unknown and not v.is_input)
+
+    @cached_property
+    def inputs(self) -> tuple[Variable, ...]:
+        """Variables that are known from outside, as functions of time."""
+        return tuple(v for v in self.variables if v.is_input)
 
     @cached_property
     def parameters(self) -> tuple[Variable, ...]:
         """Parameters and constants."""
-        return tuple(v for v in self.variables if not v.is_unknown)
+        return tuple(v for v in self.variables if v.is_parameter)

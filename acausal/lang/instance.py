@@ -1,7 +1,8 @@
 """The instance tree: names resolved, modifiers and redeclarations applied, sizes known, conditions decided.
 
 `Instance` is a component with parts, `Leaf` a scalar of a predefined or enumeration type, `Array` holds
-the elements of an array of either, `Absent` is a conditional component that is not there.
+the elements of an array of either, `Absent` is a conditional component that is not there, and `Outer` the
+use of an `inner` component elsewhere.
 `print_instance` shows the tree.
 """
 
@@ -13,6 +14,7 @@ from enum import Enum
 
 from acausal.errors import Span
 from acausal.lang.flat import Causality, ScalarType, Variability
+from acausal.lang.light import light_object
 from acausal.lang.modifiers import NO_MODIFIER, Binding, Modifier
 from acausal.lang.scope import Scope
 
@@ -36,9 +38,9 @@ class Prefixes:
     final: bool = False
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class Leaf:
-    """A scalar variable, parameter or constant. `attributes` (start, unit, ...) and `binding` are as written."""
+    """A scalar variable, parameter or constant; `attributes` (start, unit, ...) and `binding` as written."""
 
     path: str
     type: ScalarType
@@ -47,9 +49,11 @@ class Leaf:
     binding: Binding | None
     span: Span
     description: str
+    connector: bool = False
+    """Declared with a connector class, such as `connector RealInput = input Real`."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class Array:
     """Elements of an array component, row by row."""
 
@@ -61,7 +65,7 @@ class Array:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class Absent:
     """A conditional component whose condition is false."""
 
@@ -69,9 +73,21 @@ class Absent:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
+class Outer:
+    """An `outer` component: the `inner` one that it stands for."""
+
+    path: str
+    target: Leaf | Array | Absent | Instance
+    span: Span
+
+
+@light_object
 class Instance:
-    """A component with parts. `members` is filled by the builder, name by name, and complete in the end."""
+    """A component with parts. `members` is filled by the builder, name by name, and complete in the end.
+
+    `constants` marks the holder of a package's constants, which is no component: they are used by value.
+    """
 
     path: str
     scope: Scope
@@ -80,7 +96,8 @@ class Instance:
     span: Span
     description: str = ""
     modifier: Modifier = NO_MODIFIER
-    members: dict[str, Member] = field(default_factory=lambda: {})
+    members: dict[str, Member | Outer] = field(default_factory=dict[str, "Member | Outer"])
+    constants: bool = False
 
     @property
     def is_connector(self) -> bool:
@@ -88,7 +105,16 @@ class Instance:
 
     @property
     def is_record(self) -> bool:
-        return self.scope.kind == "record" or self.scope.kind == "operator"
+        return self.scope.kind in ("record", "operator")
+
+    def nearest(self, scope: Scope) -> Instance | None:
+        """This component or the nearest around it whose class is, or inherits from, that of `scope`."""
+        current: Instance | None = self
+        while current is not None:
+            if scope.node in current.scope.table.lineage:
+                return current
+            current = current.parent
+        return None
 
 
 Member = Leaf | Array | Absent | Instance
@@ -96,7 +122,7 @@ Member = Leaf | Array | Absent | Instance
 
 def leaves(member: Member) -> Iterator[Leaf]:
     """All scalars below a member, depth first in order of declaration."""
-    stack = [member]
+    stack: list[Member | Outer] = [member]
     while stack:
         current = stack.pop()
         if isinstance(current, Leaf):
@@ -110,12 +136,13 @@ def leaves(member: Member) -> Iterator[Leaf]:
 def print_instance(root: Instance) -> str:
     """The tree as indented text: one line a component, `name : class`, scalars with their prefixes."""
     lines = [f"{root.scope.path}"]
-    stack: list[tuple[str, Member, int]] = [(n, m, 1) for n, m in reversed(root.members.items())]
+    stack: list[tuple[str, Member | Outer, int]] = [(n, m, 1) for n, m in reversed(root.members.items())]
     while stack:
         name, member, depth = stack.pop()
         pad = "  " * depth
         if isinstance(member, Leaf):
-            prefix = "" if member.prefixes.variability is Variability.CONTINUOUS else member.prefixes.variability.name.lower() + " "
+            variability = member.prefixes.variability
+            prefix = "" if variability is Variability.CONTINUOUS else variability.name.lower() + " "
             flow = "flow " if member.prefixes.connection is Connection.FLOW else ""
             lines.append(f"{pad}{flow}{prefix}{member.type} {name}")
         elif isinstance(member, Array):
@@ -125,6 +152,8 @@ def print_instance(root: Instance) -> str:
                 stack.extend(reversed(numbered))
         elif isinstance(member, Absent):
             lines.append(f"{pad}{name} (absent)")
+        elif isinstance(member, Outer):
+            lines.append(f"{pad}{name} is the inner {member.target.path}")
         else:
             lines.append(f"{pad}{name} : {member.scope.path}")
             stack.extend((n, m, depth + 1) for n, m in reversed(member.members.items()))

@@ -1,19 +1,38 @@
 """From a class to its instance tree: modifiers merged, types found, sizes and conditions decided.
 
 Members are built when they are first asked for, because a size may depend on a parameter declared later;
-`instantiate` asks for all of them in the end.
+`complete` asks for all of them in the end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from math import prod
 
-from acausal.errors import LookupProblem, Span, TypeProblem, UnsupportedProblem, fail
+from acausal.errors import TypeProblem, fail
 from acausal.lang import ast
-from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, Causality, ScalarType, Variability
-from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, Prefixes
+from acausal.lang.array_sizes import array_shape
+from acausal.lang.class_table import ComponentEntry
+from acausal.lang.compatibility import check_class_redeclaration, check_component_redeclaration
+from acausal.lang.component_prefixes import (
+    component_prefixes,
+    discrete_default,
+    inherit_kind,
+    with_causality,
+)
+from acausal.lang.flat import Causality, ScalarType
+from acausal.lang.instance import Absent, Array, Instance, Leaf, Member, Outer, Prefixes
+from acausal.lang.instance_errors import (
+    check_instantiable,
+    cyclic_structure,
+    modifies_protected,
+    no_inner,
+    not_a_component,
+    refuse_unsupported,
+    too_deep,
+    too_large,
+)
+from acausal.lang.light import light_object
+from acausal.lang.lookup_errors import unknown_target
 from acausal.lang.modifiers import (
     NO_MODIFIER,
     Binding,
@@ -23,318 +42,322 @@ from acausal.lang.modifiers import (
     element_of,
     merge,
     modifier_of,
+    not_replaceable,
     overrides_final,
-    strip_first,
 )
-from acausal.lang.scope import EXTERNAL_OBJECT, ComponentEntry, Root, Scope, unknown_target
+from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
+from acausal.lang.translation import Translation
 
 MAX_DEPTH = 100
 """Components nested deeper than this are taken for a model that contains itself."""
-MAX_ELEMENTS = 2_000_000
-"""Bound on the elements of one array component."""
-
-Evaluator = Callable[[ast.Expression, Context, str], object]
-"""Compile-time value of an expression; the text says what it is needed for."""
-
-_SCALAR_TYPES = {"Real": REAL, "Integer": INTEGER, "Boolean": BOOLEAN, "String": STRING}
-_ATTRIBUTES = {
-    "Real": ("value", "quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "unbounded", "stateSelect"),
-    "Integer": ("value", "quantity", "min", "max", "start", "fixed"),
-    "Boolean": ("value", "quantity", "start", "fixed"),
-    "String": ("value", "quantity", "start", "fixed"),
-}
-_ENUMERATION_ATTRIBUTES = ("value", "quantity", "min", "max", "start", "fixed")
-_VARIABILITY = {
-    "": Variability.CONTINUOUS,
-    "discrete": Variability.DISCRETE,
-    "parameter": Variability.PARAMETER,
-    "constant": Variability.CONSTANT,
-}
-_CAUSALITY = {"": Causality.LOCAL, "input": Causality.INPUT, "output": Causality.OUTPUT}
+MAX_MEMBERS = 2_000_000
+"""Bound on the components and scalars of one model."""
 
 
-@dataclass(frozen=True, slots=True)
-class SimpleType:
-    """A predefined or enumeration type reached through type definitions, with what they add on the way."""
-
-    scalar: ScalarType
-    attributes: dict[str, Binding]
-    final: frozenset[str]
-    dimensions: tuple[tuple[ast.Subscripts, Scope], ...]
-    causality: Causality
-
-
-class Instantiator:
-    """Builds members on demand; `evaluate` is the translator's compile-time evaluation."""
-
-    def __init__(self, root: Root, evaluate: Evaluator) -> None:
-        self.root = root
-        self.evaluate = evaluate
-        self._simple: dict[Scope, SimpleType | None] = {}
-        self._packages: dict[Scope, Instance] = {}
-        self._building: list[tuple[Instance, str]] = []
-
-    # ------------------------------------------------------------------ roots
-
-    def model(self, scope: Scope, modifier: Modifier) -> Instance:
-        """The top-level instance; its path is empty."""
-        scope = scope.modified(modifier)
-        self._check_targets(scope, modifier)
-        return Instance("", scope, None, Prefixes(), scope.span, description_of(scope), modifier)
-
-    def package(self, scope: Scope) -> Instance:
-        """The instance that holds a package's (or class's) constants."""
-        found = self._packages.get(scope)
-        if found is None:
-            found = Instance(scope.path, scope, None, Prefixes(), scope.span, "", scope.modifier)
-            self._packages[scope] = found
-        return found
-
-    def complete(self, root: Instance) -> Instance:
-        """Build every member below `root`."""
-        stack: list[tuple[Member, int]] = [(root, 0)]
-        while stack:
-            member, depth = stack.pop()
-            if isinstance(member, Instance):
-                if depth > MAX_DEPTH:
-                    raise _too_deep(member)
-                for name in member.scope.table.components:
-                    self.member(member, name)
-                order = {name: member.members[name] for name in member.scope.table.components}
-                member.members.clear()
-                member.members.update(order)
-                stack.extend((m, depth + 1) for m in member.members.values() if not isinstance(m, Leaf))
-            elif isinstance(member, Array):
-                stack.extend((m, depth + 1) for m in member.items if not isinstance(m, Leaf))
-        return root
-
-    # ------------------------------------------------------------------ members
-
-    def member(self, instance: Instance, name: str) -> Member | None:
-        """The member `name`, built now if need be; None if the class has no such component."""
-        found = instance.members.get(name)
-        if found is not None:
-            return found
-        entry = instance.scope.table.components.get(name)
-        if entry is None:
-            return None
-        key = (instance, name)
-        if key in self._building:
-            raise _cyclic_structure(entry, instance)
-        self._building.append(key)
-        try:
-            built = self._build(entry, instance)
-        finally:
-            self._building.pop()
-        instance.members[name] = built
-        return built
-
-    def _build(self, entry: ComponentEntry, instance: Instance) -> Member:
-        path = f"{instance.path}.{entry.name}" if instance.path else entry.name
-        modifier = self._modifier(entry, instance, path)
-        clause, declaration, where = entry.clause, entry.declaration, entry.scope
-        context = Context(where, instance)
-        if declaration.condition is not None:
-            if not self.evaluate(declaration.condition, context, f"the condition of `{path}`"):
-                return Absent(path, declaration.span)
-        if modifier.redeclaration is not None:
-            clause, declaration, where, modifier = _redeclare(entry, modifier, path)
-            context = Context(where, modifier.redeclaration.context.instance or instance) if modifier.redeclaration else context
-            modifier = replace(modifier, redeclaration=None)
-        modifier = self._with_declaration(modifier, declaration, context, path)
-        _refuse_unsupported(clause, path)
-        type_scope = where.find_class(clause.type)
-        plan = _Plan(path, clause, declaration, context, _prefixes(entry, clause, instance), modifier)
-        return self._shaped(plan, type_scope, instance)
-
-    def _modifier(self, entry: ComponentEntry, instance: Instance, path: str) -> Modifier:
-        """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""
-        modifier = instance.modifier.child(entry.name)
-        for arguments, scope in entry.through:
-            modifier = merge(modifier, strip_first(arguments, Context(scope, instance)), path)
-        if not modifier.is_empty and entry.clause.prefixes.final and _overrides(modifier):
-            raise overrides_final(path, modifier.span, entry.declaration.span)
-        return modifier
-
-    def _with_declaration(
-        self, modifier: Modifier, declaration: ast.Declaration, context: Context, path: str
-    ) -> Modifier:
-        if declaration.modification is None:
-            return modifier
-        own = modifier_of(declaration.modification, context)
-        return own if modifier.is_empty else merge(modifier, own, path)
-
-    def _shaped(self, plan: _Plan, type_scope: Scope, instance: Instance) -> Member:
-        simple = self.simple_type(type_scope)
-        shape = self._shape(plan, plan.declaration.dimensions, plan.context)
-        shape += self._shape(plan, plan.clause.dimensions, plan.context)
-        if simple is not None:
-            for dimensions, scope in simple.dimensions:
-                shape += self._shape(plan, dimensions, Context(scope, None))
-            return self._array(plan, shape, simple.scalar, lambda p: self._leaf(p, simple))
-        return self._array(plan, shape, None, lambda p: self._component(p, type_scope, instance))
-
-    def _shape(self, plan: _Plan, dimensions: ast.Subscripts | None, context: Context) -> tuple[int, ...]:
-        if dimensions is None:
-            return ()
-        sizes: list[int] = []
-        for position, item in enumerate(dimensions.items):
-            if isinstance(item, ast.Colon):
-                sizes.append(self._size_from_binding(plan, position))
-                continue
-            size = self.evaluate(item, context, f"the size of `{plan.path}`")
-            if not isinstance(size, int) or isinstance(size, bool) or size < 0:
-                raise _bad_size(plan.path, size, item)
-            sizes.append(size)
-        if prod(sizes) > MAX_ELEMENTS:
-            raise _bad_size(plan.path, prod(sizes), dimensions.items[0])
-        return tuple(sizes)
-
-    def _size_from_binding(self, plan: _Plan, position: int) -> int:
-        binding = plan.modifier.binding
-        if binding is None:
-            raise fail(
-                TypeProblem,
-                "array.unknown-size",
-                f"the size of `{plan.path}` is `:` and there is no value to take it from",
-                plan.declaration.span,
-                names=[plan.path],
-                hint="give it a value or a size",
-            )
-        size = self.evaluate(_size_call(binding.expression, position), binding.context, f"the size of `{plan.path}`")
-        assert isinstance(size, int)
-        return size
-
-    def _array(
-        self, plan: _Plan, shape: tuple[int, ...], scalar: ScalarType | None, build: Callable[[_Plan], Member]
-    ) -> Member:
-        if not shape:
-            return build(plan)
-        items: list[Member] = []
-
-        def fill(path: str, modifier: Modifier, depth: int) -> None:
-            if depth == len(shape):
-                items.append(build(replace(plan, path=f"{plan.path}[{path}]", modifier=modifier)))
-                return
-            for i in range(shape[depth]):
-                name = f"{path},{i + 1}" if path else str(i + 1)
-                fill(name, element_of(modifier, i), depth + 1)
-
-        fill("", plan.modifier, 0)
-        return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
-
-    def _leaf(self, plan: _Plan, simple: SimpleType) -> Leaf:
-        attributes = dict(simple.attributes)
-        allowed = _ENUMERATION_ATTRIBUTES if simple.scalar.is_enumeration else _ATTRIBUTES[simple.scalar.name]
-        for name, child in plan.modifier.children.items():
-            if name not in allowed:
-                raise _unknown_attribute(plan.path, name, simple.scalar, child)
-            if name in simple.final:
-                raise overrides_final(f"{plan.path}.{name}", child.span, attributes[name].span)
-            if child.binding is not None:
-                attributes[name] = child.binding
-        prefixes = plan.prefixes
-        if prefixes.causality is Causality.LOCAL and simple.causality is not Causality.LOCAL:
-            prefixes = replace(prefixes, causality=simple.causality)
-        return Leaf(
-            plan.path,
-            simple.scalar,
-            _discrete_default(prefixes, simple.scalar),
-            attributes,
-            plan.modifier.binding,
-            plan.declaration.span,
-            plan.declaration.comment.text or "",
-        )
-
-    def _component(self, plan: _Plan, type_scope: Scope, parent: Instance) -> Instance:
-        scope = type_scope.modified(plan.modifier)
-        _check_instantiable(scope, plan)
-        modifier = plan.modifier
-        if not type_scope.modifier.is_empty:
-            modifier = merge(modifier, bound(type_scope.modifier, parent), plan.path)
-        self._check_targets(scope, modifier)
-        modifier = _spread_record(modifier, scope)
-        prefixes = _inherit_kind(plan.prefixes, scope)
-        description = plan.declaration.comment.text or ""
-        if plan.path.count(".") > MAX_DEPTH:
-            raise _too_deep(parent)
-        return Instance(plan.path, scope, parent, prefixes, plan.declaration.span, description, modifier)
-
-    def _check_targets(self, scope: Scope, modifier: Modifier) -> None:
-        for name, child in modifier.children.items():
-            if name not in scope.table.components and scope.find_local(name) is None:
-                raise unknown_target(name, scope, child.span or scope.span)
-
-    # ------------------------------------------------------------------ simple types
-
-    def simple_type(self, scope: Scope) -> SimpleType | None:
-        """What a type boils down to if it is (derived from) a predefined type or an enumeration."""
-        if scope not in self._simple:
-            self._simple[scope] = self._find_simple_type(scope)
-        return self._simple[scope]
-
-    def _find_simple_type(self, scope: Scope) -> SimpleType | None:
-        definition = scope.definition
-        if isinstance(definition, ast.EnumerationClass):
-            return SimpleType(enumeration_of(scope), {}, frozenset(), (), Causality.LOCAL)
-        if scope.is_predefined and scope.path == EXTERNAL_OBJECT:
-            return None
-        if scope.is_predefined:
-            return SimpleType(_SCALAR_TYPES[scope.path], {}, frozenset(), (), Causality.LOCAL)
-        table = scope.table
-        if len(table.bases) != 1 or table.components:
-            return None
-        base = table.bases[0]
-        simple = self.simple_type(base.scope)
-        if simple is None:
-            return None
-        modifier = merge(scope.modifier, modifier_of(base.modification, Context(scope.enclosing or scope, None)))
-        attributes = dict(simple.attributes)
-        allowed = _ENUMERATION_ATTRIBUTES if simple.scalar.is_enumeration else _ATTRIBUTES[simple.scalar.name]
-        final = set(simple.final)
-        for name, child in modifier.children.items():
-            if name not in allowed:
-                raise _unknown_attribute(scope.path, name, simple.scalar, child)
-            if name in simple.final:
-                raise overrides_final(f"{scope.path}.{name}", child.span, attributes[name].span)
-            if child.binding is not None:
-                attributes[name] = child.binding
-            if child.final:
-                final.add(name)
-        dimensions = simple.dimensions
-        if base.dimensions is not None:
-            dimensions = ((base.dimensions, scope.enclosing or scope), *dimensions)
-        causality = simple.causality
-        if isinstance(definition, ast.ShortClass) and definition.causality:
-            causality = _CAUSALITY[definition.causality]
-        return SimpleType(simple.scalar, attributes, frozenset(final), dimensions, causality)
-
-
-@dataclass(frozen=True, slots=True)
+@light_object
 class _Plan:
-    """A component about to be built."""
+    """A component about to be built, an array before its elements."""
 
     path: str
     clause: ast.ComponentClause
     declaration: ast.Declaration
     context: Context
     prefixes: Prefixes
-    modifier: Modifier
+    type: Scope
 
 
-def enumeration_of(scope: Scope) -> ScalarType:
-    """The scalar type of an enumeration class."""
-    definition = scope.definition
-    assert isinstance(definition, ast.EnumerationClass)
-    if definition.literals is None:
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.open-enumeration",
-            f"`{scope.path}` is `enumeration(:)`: it has no literals until it is redeclared",
-            scope.span,
-            names=[scope.path],
+class Instantiator:
+    """Builds members on demand."""
+
+    def __init__(self, translation: Translation) -> None:
+        self._translation = translation
+        self._types = SimpleTypes()
+        self._packages: dict[Scope, Instance] = {}
+        self._building: dict[tuple[Instance, str], list[int]] = {}
+        self._checked: set[Scope] = set()
+        self._type_scopes: dict[ComponentEntry, Scope] = {}
+        self._prefixes: dict[tuple[ComponentEntry, Prefixes], Prefixes] = {}
+        self._attributes: dict[tuple[SimpleType, tuple[Modifier, ...]], dict[str, Binding]] = {}
+        self._count = 0
+
+    # ------------------------------------------------------------------ roots
+
+    def model(self, scope: Scope, modifier: Modifier) -> Instance:
+        """The top-level instance; its path is empty."""
+        scope = scope.modified(modifier)
+        _check_targets(scope, modifier)
+        return Instance("", scope, None, Prefixes(), scope.span, description_of(scope), modifier)
+
+    def package(self, scope: Scope) -> Instance:
+        """The instance that holds a package's (or class's) constants."""
+        found = self._packages.get(scope)
+        if found is None:
+            self.check_redeclared(scope)
+            modifier = scope.modifier
+            found = Instance(scope.path, scope, None, Prefixes(), scope.span, "", modifier, {}, True)
+            self._packages[scope] = found
+        return found
+
+    def complete(self, root: Instance) -> Instance:
+        """Build every member below `root`."""
+        stack: list[tuple[Member | Outer, int]] = [(root, 0)]
+        while stack:
+            member, depth = stack.pop()
+            if isinstance(member, Instance):
+                if depth > MAX_DEPTH:
+                    raise too_deep(member, MAX_DEPTH)
+                names = member.scope.table.components
+                for name in names:
+                    self.member(member, name)
+                if list(member.members) != list(names):
+                    ordered = {name: member.members[name] for name in names}
+                    member.members.clear()
+                    member.members.update(ordered)
+                stack.extend([(m, depth + 1) for m in member.members.values() if not isinstance(m, Leaf)])
+            elif isinstance(member, Array):
+                stack.extend([(m, depth + 1) for m in member.items if not isinstance(m, Leaf)])
+        return root
+
+    # ------------------------------------------------------------------ types
+
+    def simple_type(self, scope: Scope) -> SimpleType | None:
+        """What a type boils down to if it is (derived from) a predefined type or an enumeration."""
+        return self._types.of(scope)
+
+    def check_redeclared(self, scope: Scope) -> None:
+        """Compare a redeclared class with its constraining class, once."""
+        if scope.constraint is not None and scope not in self._checked:
+            self._checked.add(scope)
+            check_class_redeclaration(scope, self._types)
+
+    def size_so_far(self, instance: Instance, name: str, dimension: int) -> int | None:
+        """The size in `dimension` (from 1) of an array being built, if it is already known."""
+        sizes = self._building.get((instance, name), ())
+        return sizes[dimension - 1] if 0 < dimension <= len(sizes) else None
+
+    # ------------------------------------------------------------------ members
+
+    def member(self, instance: Instance, name: str) -> Member | None:
+        """The member `name`, built now if need be; None if the class has no such component."""
+        found = instance.members.get(name)
+        if found is None:
+            entry = instance.scope.table.components.get(name)
+            if entry is None:
+                return None
+            key = (instance, name)
+            if key in self._building:
+                raise cyclic_structure(entry, instance)
+            self._building[key] = []
+            try:
+                found = self._build(entry, instance)
+            finally:
+                del self._building[key]
+            instance.members[name] = found
+        return found.target if isinstance(found, Outer) else found
+
+    def _build(self, entry: ComponentEntry, instance: Instance) -> Member | Outer:
+        path = f"{instance.path}.{entry.name}" if instance.path else entry.name
+        clause, declaration = entry.clause, entry.declaration
+        refuse_unsupported(clause, path)
+        if clause.prefixes.outer:
+            return self._outer(entry, instance, path)
+        context = Context(entry.scope, instance)
+        if declaration.condition is not None and not self._is_there(declaration.condition, context, path):
+            return Absent(path, declaration.span)
+        outside = self._outside(entry, instance, path)
+        if outside.redeclaration is not None:
+            plan, modifier = self._redeclared(entry, outside, context, path)
+        else:
+            modifier = (
+                merge(outside, bound(entry.own, instance), path) if entry.own is not NO_MODIFIER else outside
+            )
+            for below in entry.below:
+                modifier = merge(modifier, bound(below, instance), path)
+            prefixes = self._prefixes_of(entry, clause, instance)
+            plan = _Plan(path, clause, declaration, context, prefixes, self._type_of(entry))
+        return self._shaped(plan, modifier, instance, entry.name)
+
+    def _is_there(self, condition: ast.Expression, context: Context, path: str) -> bool:
+        value = self._translation.evaluate(condition, context, f"the condition of `{path}`")
+        if not isinstance(value, bool):
+            message = f"the condition of `{path}` must be Boolean, but it is {value}"
+            raise fail(TypeProblem, "type.not-boolean", message, condition.span, names=[path])
+        return value
+
+    def _outer(self, entry: ComponentEntry, instance: Instance, path: str) -> Outer:
+        """The `inner` component of this name in the nearest component around that has one (5.4)."""
+        around = instance.parent
+        while around is not None:
+            candidate = around.scope.table.components.get(entry.name)
+            if candidate is not None and candidate.clause.prefixes.inner:
+                target = self.member(around, entry.name)
+                assert target is not None
+                return Outer(path, target, entry.declaration.span)
+            around = around.parent
+        raise no_inner(entry.name, path, entry.declaration.span)
+
+    def _outside(self, entry: ComponentEntry, instance: Instance, path: str) -> Modifier:
+        """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""
+        modifier = instance.modifier.children.get(entry.name, NO_MODIFIER)
+        if entry.protected and not modifier.is_empty and instance.parent is not None:
+            raise modifies_protected(path, modifier, entry)
+        for through in entry.through:
+            modifier = merge(modifier, bound(through, instance), path)
+        if entry.clause.prefixes.final and not modifier.is_empty:
+            raise overrides_final(path, modifier.span, entry.declaration.span)
+        return modifier
+
+    def _type_of(self, entry: ComponentEntry) -> Scope:
+        found = self._type_scopes.get(entry)
+        if found is None:
+            found = self._type_scopes[entry] = entry.scope.find_class(entry.clause.type)
+        return found
+
+    def _prefixes_of(
+        self, entry: ComponentEntry, clause: ast.ComponentClause, instance: Instance
+    ) -> Prefixes:
+        if clause is not entry.clause:
+            return component_prefixes(entry, clause, instance.prefixes)
+        key = (entry, instance.prefixes)
+        found = self._prefixes.get(key)
+        if found is None:
+            found = self._prefixes[key] = component_prefixes(entry, clause, instance.prefixes)
+        return found
+
+    def _redeclared(
+        self, entry: ComponentEntry, outside: Modifier, context: Context, path: str
+    ) -> tuple[_Plan, Modifier]:
+        """The plan of a component that a modification redeclares, and its modifier (7.3)."""
+        redeclaration, instance = outside.redeclaration, context.instance
+        assert redeclaration is not None  # the caller has looked
+        assert instance is not None
+        element = redeclaration.element
+        if not entry.clause.prefixes.replaceable:
+            raise not_replaceable(path, redeclaration.span, entry.declaration.span)
+        if not isinstance(element, ast.ComponentClause):
+            raise not_a_component(path, redeclaration.span)
+        where, inside = redeclaration.context.scope, redeclaration.context.instance
+        own = modifier_of(element.declarations[0].modification, redeclaration.context)
+        below = merge(own, bound(entry.constraint, instance), path)
+        beside = Modifier(
+            outside.binding, outside.children, None, outside.final, outside.span, outside.beside
         )
-    return ScalarType(scope.path, tuple([entry.name for entry in definition.literals]))
+        new = where.find_class(element.type)
+        constraint = entry.clause.constraint
+        old = self._type_of(entry) if constraint is None else entry.scope.find_class(constraint.type)
+        check_component_redeclaration(path, new, old, redeclaration.span, self._types)
+        declaration = element.declarations[0]
+        has_sizes = declaration.dimensions is not None or element.dimensions is not None
+        sized = declaration if has_sizes else entry.declaration
+        plan = _Plan(
+            path,
+            element if has_sizes else entry.clause,
+            ast.Declaration(entry.name, sized.dimensions, None, None, declaration.comment, declaration.span),
+            Context(where, inside) if has_sizes else context,
+            self._prefixes_of(entry, element, instance),
+            new,
+        )
+        return plan, merge(beside, below, path)
+
+    def _shaped(self, plan: _Plan, modifier: Modifier, instance: Instance, name: str) -> Member:
+        simple = self._types.of(plan.type)
+        places = [(plan.declaration.dimensions, plan.context), (plan.clause.dimensions, plan.context)]
+        if simple is not None:
+            places += [(dimensions, Context(scope, None)) for dimensions, scope in simple.dimensions]
+        written = [(d, where) for d, where in places if d is not None]
+        if not written:
+            return self._element(plan, simple, plan.path, modifier, instance)
+        sizes = self._building[instance, name]
+        shape = array_shape(self._translation, written, modifier, plan.path, plan.declaration.span, sizes)
+        inner = NO_MODIFIER if simple is None else simple.spread
+        depth = len(shape) - (0 if simple is None else sum(len(d.items) for d, _ in simple.dimensions))
+
+        def build(path: str, part: Modifier) -> Member:
+            return self._element(plan, simple, path, part, instance)
+
+        return _array(plan, shape, None if simple is None else simple.scalar, (modifier, inner, depth), build)
+
+    def _element(
+        self, plan: _Plan, simple: SimpleType | None, path: str, modifier: Modifier, instance: Instance
+    ) -> Member:
+        self._count += 1
+        if self._count > MAX_MEMBERS:
+            raise too_large(path, plan.declaration.span, MAX_MEMBERS)
+        if simple is not None:
+            return self._leaf(plan, simple, path, modifier)
+        return self._component(plan, path, modifier, instance)
+
+    def _leaf(self, plan: _Plan, simple: SimpleType, path: str, modifier: Modifier) -> Leaf:
+        prefixes = plan.prefixes
+        if simple.causality is not prefixes.causality and prefixes.causality is Causality.LOCAL:
+            prefixes = with_causality(prefixes, simple.causality)
+        return Leaf(
+            path,
+            simple.scalar,
+            discrete_default(prefixes, simple.scalar),
+            self._attributes_of(simple, modifier, path),
+            modifier.binding,
+            plan.declaration.span,
+            plan.declaration.comment.text or "",
+            simple.connector,
+        )
+
+    def _attributes_of(self, simple: SimpleType, modifier: Modifier, path: str) -> dict[str, Binding]:
+        """One dictionary for all leaves whose attributes come from the same modifiers."""
+        if not modifier.children:
+            return simple.attributes
+        key = (simple, tuple(modifier.children.values()))
+        found = self._attributes.get(key)
+        if found is None:
+            found = self._attributes[key] = with_attributes(simple, modifier, path)
+        return found
+
+    def _component(self, plan: _Plan, path: str, modifier: Modifier, parent: Instance) -> Instance:
+        scope = plan.type.modified(modifier)
+        check_instantiable(scope, path, plan.clause.type.span)
+        self.check_redeclared(scope)
+        if not plan.type.modifier.is_empty:
+            modifier = merge(modifier, bound(plan.type.modifier, parent), path)
+        if isinstance(scope.definition, ast.LongClass) and not scope.below.is_empty:
+            modifier = merge(modifier, bound(scope.below, parent), path)
+        _check_targets(scope, modifier)
+        modifier = _spread_record(modifier, scope)
+        prefixes = inherit_kind(plan.prefixes, scope)
+        description = plan.declaration.comment.text or ""
+        if path.count(".") > MAX_DEPTH:
+            raise too_deep(parent, MAX_DEPTH)
+        return Instance(path, scope, parent, prefixes, plan.declaration.span, description, modifier)
+
+
+def _array(
+    plan: _Plan,
+    shape: tuple[int, ...],
+    scalar: ScalarType | None,
+    modifiers: tuple[Modifier, Modifier, int],
+    build: Callable[[str, Modifier], Member],
+) -> Array:
+    """The elements, row by row. `modifiers` are the component's, its array type's, and where that begins."""
+    items: list[Member] = []
+    modifier, inner, type_depth = modifiers
+
+    def fill(index: str, part: Modifier, depth: int) -> None:
+        if depth == type_depth and inner is not NO_MODIFIER:
+            part = merge(part, inner, plan.path)
+        if depth == len(shape):
+            items.append(build(f"{plan.path}[{index}]", part))
+            return
+        for i in range(shape[depth]):
+            fill(f"{index},{i + 1}" if index else str(i + 1), element_of(part, i, shape[depth]), depth + 1)
+
+    fill("", modifier, 0)
+    return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
+
+
+def _check_targets(scope: Scope, modifier: Modifier) -> None:
+    for name, child in modifier.children.items():
+        if name not in scope.table.components and scope.find_local(name) is None:
+            raise unknown_target(name, scope, child.span or scope.span)
 
 
 def description_of(scope: Scope) -> str:
@@ -345,186 +368,20 @@ def description_of(scope: Scope) -> str:
     return definition.comment.text or ""
 
 
-def _redeclare(
-    entry: ComponentEntry, modifier: Modifier, path: str
-) -> tuple[ast.ComponentClause, ast.Declaration, Scope, Modifier]:
-    redeclaration = modifier.redeclaration
-    assert redeclaration is not None
-    element = redeclaration.element
-    if not entry.clause.prefixes.replaceable:
-        raise fail(
-            TypeProblem,
-            "redeclare.not-replaceable",
-            f"`{path}` is not replaceable and cannot be redeclared",
-            redeclaration.span,
-            names=[path],
-            hint=f"declare it `replaceable` at {entry.declaration.span}",
-        )
-    if not isinstance(element, ast.ComponentClause):
-        raise fail(
-            TypeProblem, "redeclare.kind", f"`{path}` is a component, but it is redeclared as a class", redeclaration.span, names=[path]
-        )
-    constraint = entry.clause.constraint
-    if constraint is not None and constraint.modification is not None:
-        inner = modifier_of(constraint.modification, Context(entry.scope, redeclaration.context.instance))
-        modifier = merge(modifier, inner, path)
-    return element, element.declarations[0], redeclaration.context.scope, modifier
-
-
-def _overrides(modifier: Modifier) -> bool:
-    return modifier.binding is not None or modifier.redeclaration is not None
-
-
-def _prefixes(entry: ComponentEntry, clause: ast.ComponentClause, instance: Instance) -> Prefixes:
-    outer = instance.prefixes
-    connection = {"": Connection.POTENTIAL, "flow": Connection.FLOW, "stream": Connection.STREAM}[clause.flow]
-    causality = _CAUSALITY[clause.causality]
-    return Prefixes(
-        min(outer.variability, _VARIABILITY[clause.variability]),
-        causality if causality is not Causality.LOCAL else outer.causality,
-        connection if connection is not Connection.POTENTIAL else outer.connection,
-        outer.protected or entry.protected,
-        clause.prefixes.final,
-    )
-
-
-def _inherit_kind(prefixes: Prefixes, scope: Scope) -> Prefixes:
-    """Input and output reach into connectors and records, not into models."""
-    if scope.kind in ("model", "block", "class"):
-        return replace(prefixes, causality=Causality.LOCAL)
-    return prefixes
-
-
-def _discrete_default(prefixes: Prefixes, type_: ScalarType) -> Prefixes:
-    """Variables that are not Real change only at events (Modelica 3.6, 4.5)."""
-    if prefixes.variability is Variability.CONTINUOUS and type_ != REAL:
-        return replace(prefixes, variability=Variability.DISCRETE)
-    return prefixes
-
-
 def _spread_record(modifier: Modifier, scope: Scope) -> Modifier:
-    """A record's value becomes the value of each field that has none of its own."""
+    """A record's value becomes the value of each field that has none written beside it or further out."""
     if modifier.binding is None or scope.kind != "record":
         return modifier
     children = dict(modifier.children)
-    for name in scope.table.components:
+    for name, entry in scope.table.components.items():
         child = children.get(name, NO_MODIFIER)
-        if child.binding is None:
-            children[name] = replace(child, binding=modifier.binding.part(name))
-    return replace(modifier, children=children)
-
-
-def _size_call(expression: ast.Expression, position: int) -> ast.Call:
-    """`size(expression, position + 1)`."""
-    span = expression.span
-    name = ast.ComponentReference((ast.NamePart("size", None, span),), False, span)
-    return ast.Call(name, (expression, ast.IntegerLiteral(position + 1, span)), (), (), span)
-
-
-def _check_instantiable(scope: Scope, plan: _Plan) -> None:
-    definition = scope.definition
-    if scope.kind in ("package", "function"):
-        raise fail(
-            TypeProblem,
-            "type.not-a-component-type",
-            f"`{plan.path}` is declared with the {scope.kind} `{scope.path}` as its type",
-            plan.clause.type.span,
-            names=[plan.path],
-            hint="use a model, block, connector, record or type",
-        )
-    if definition.class_prefixes.partial:
-        raise fail(
-            TypeProblem,
-            "type.partial",
-            f"`{plan.path}` is of the partial class `{scope.path}`, which cannot be instantiated",
-            plan.clause.type.span,
-            names=[plan.path],
-            hint="redeclare it with a class that extends the partial one",
-        )
-    if any(base.scope.path == EXTERNAL_OBJECT for base in scope.table.bases):
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.external-object",
-            f"`{plan.path}` is the external object `{scope.path}`, which is not supported yet",
-            plan.clause.type.span,
-            names=[plan.path],
-        )
-    if definition.class_prefixes.expandable:
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.expandable",
-            f"`{plan.path}` is an expandable connector, which is not supported yet",
-            plan.clause.type.span,
-            names=[plan.path],
-        )
-
-
-def _refuse_unsupported(clause: ast.ComponentClause, path: str) -> None:
-    for used, what in (
-        (clause.prefixes.inner, "inner"),
-        (clause.prefixes.outer, "outer"),
-        (clause.flow == "stream", "stream"),
-    ):
-        if used:
-            raise fail(
-                UnsupportedProblem,
-                f"unsupported.{what}",
-                f"`{path}` is declared `{what}`, which is not supported yet",
-                clause.span,
-                names=[path],
+        stays = child.binding is not None and (modifier.beside is None or name in modifier.beside)
+        is_constant = entry.clause.variability == "constant" or entry.clause.prefixes.final
+        if not stays and not is_constant:
+            part = Modifier(binding=modifier.binding.part(name), span=modifier.span)
+            children[name] = merge(
+                part, Modifier(None, child.children, child.redeclaration, False, child.span)
             )
-
-
-def _too_deep(instance: Instance) -> TypeProblem:
-    error = fail(
-        TypeProblem,
-        "instance.recursive",
-        f"`{instance.scope.path}` contains itself: components are nested more than {MAX_DEPTH} deep",
-        instance.span,
-        names=[instance.scope.path],
-        hint="a model cannot have a component of its own class",
+    return Modifier(
+        modifier.binding, children, modifier.redeclaration, modifier.final, modifier.span, modifier.beside
     )
-    assert isinstance(error, TypeProblem)
-    return error
-
-
-def _cyclic_structure(entry: ComponentEntry, instance: Instance) -> LookupProblem:
-    path = f"{instance.path}.{entry.name}" if instance.path else entry.name
-    error = fail(
-        LookupProblem,
-        "parameter.cyclic",
-        f"the size, condition or type of `{path}` depends on itself",
-        entry.declaration.span,
-        names=[path],
-        hint="break the circle of parameters",
-    )
-    assert isinstance(error, LookupProblem)
-    return error
-
-
-def _bad_size(path: str, size: object, item: ast.Expression) -> TypeProblem:
-    error = fail(
-        TypeProblem,
-        "array.bad-size",
-        f"the size of `{path}` is {size}; it must be an Integer from 0 to {MAX_ELEMENTS}",
-        item.span,
-        names=[path],
-    )
-    assert isinstance(error, TypeProblem)
-    return error
-
-
-def _unknown_attribute(path: str, name: str, type_: ScalarType, child: Modifier) -> TypeProblem:
-    allowed = _ENUMERATION_ATTRIBUTES if type_.is_enumeration else _ATTRIBUTES[type_.name]
-    error = fail(
-        TypeProblem,
-        "modification.unknown-attribute",
-        f"`{path}` is of type {type_}, which has no attribute `{name}`",
-        child.span,
-        names=[path],
-        hint=f"attributes of {type_}: {', '.join(allowed[1:])}",
-    )
-    assert isinstance(error, TypeProblem)
-    return error
-
-

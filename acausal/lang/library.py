@@ -10,10 +10,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 from acausal.errors import LookupProblem, Source, Span, SyntaxProblem, fail
 from acausal.lang import ast
+from acausal.lang.imports import Imports, imports_of
 from acausal.lang.lexer import decode
 from acausal.lang.parser import parse
 
@@ -23,7 +25,7 @@ MAX_FILE_BYTES = 20_000_000
 def library_directories(
     extra: Sequence[str | Path] = (), environment: Mapping[str, str] | None = None
 ) -> tuple[Path, ...]:
-    """The library path in the contract's order: `extra`, MODELICAPATH, `~/.openmodelica/libraries`, bundled."""
+    """The contract's library path: `extra`, MODELICAPATH, `~/.openmodelica/libraries`, bundled."""
     env = os.environ if environment is None else environment
     listed = [Path(p) for p in extra]
     listed += [Path(p) for p in env.get("MODELICAPATH", "").split(":") if p]
@@ -47,9 +49,11 @@ def bundled_directories() -> list[Path]:
 class ClassNode:
     """A class definition in the package tree; `folder` is set for a package stored as a directory."""
 
-    __slots__ = ("_loaded", "_stored", "definition", "folder", "name", "parent", "path")
+    __slots__ = ("_imports", "_loaded", "_stored", "definition", "folder", "name", "parent", "path")
 
-    def __init__(self, definition: ast.ClassDefinition, parent: ClassNode | None, folder: Path | None) -> None:
+    def __init__(
+        self, definition: ast.ClassDefinition, parent: ClassNode | None, folder: Path | None
+    ) -> None:
         self.definition = definition
         self.name = definition.name
         self.parent = parent
@@ -57,6 +61,14 @@ class ClassNode:
         self.folder = folder
         self._stored: dict[str, ClassNode] | None = None
         self._loaded: dict[str, ClassNode | None] = {}
+        self._imports: Imports | None = None
+
+    @property
+    def imports(self) -> Imports:
+        """The import clauses of the class."""
+        if self._imports is None:
+            self._imports = imports_of(self.definition)
+        return self._imports
 
     def child(self, name: str) -> ClassNode | None:
         """The nested class `name`, reading its file if it has one of its own."""
@@ -125,7 +137,8 @@ def find_top_level(directories: Sequence[Path], name: str) -> Path | None:
 
 
 def _version_key(version: str) -> tuple[tuple[int, str], ...]:
-    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in version.replace("-", ".").split("."))
+    parts = version.replace("-", ".").split(".")
+    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in parts)
 
 
 def read_source(path: Path, shown: str | None = None) -> Source:
@@ -133,14 +146,12 @@ def read_source(path: Path, shown: str | None = None) -> Source:
     label = shown or display_path(path)
     try:
         if path.stat().st_size > MAX_FILE_BYTES:
-            raise fail(
-                SyntaxProblem, "syntax.too-large", f"{label} is larger than {MAX_FILE_BYTES // 1_000_000} MB"
-            )
+            message = f"{label} is larger than {MAX_FILE_BYTES // 1_000_000} MB"
+            raise fail(SyntaxProblem, "syntax.too-large", message)
         data = path.read_bytes()
     except OSError as problem:
-        raise fail(
-            LookupProblem, "library.unreadable", f"cannot read {label}: {problem.strerror or problem}"
-        ) from None
+        message = f"cannot read {label}: {problem.strerror or problem}"
+        raise fail(LookupProblem, "library.unreadable", message) from None
     return decode(data, label)
 
 
@@ -172,7 +183,7 @@ def load_class(path: Path, name: str, parent: ClassNode | None) -> ClassNode:
         raise fail(
             LookupProblem,
             "library.within",
-            f"{display_path(path)} says `within {within};` but it is stored in `{expected or 'the top level'}`",
+            f"{display_path(path)} says `within {within};` but is stored in `{expected or 'the top level'}`",
             definition.span,
             hint=f"write `within {expected};` or move the file",
         )
@@ -181,7 +192,7 @@ def load_class(path: Path, name: str, parent: ClassNode | None) -> ClassNode:
 
 @dataclass
 class Library:
-    """Top-level classes by name: given ones first, then what the library path holds. Grows as names are met."""
+    """Top-level classes by name: given ones first, then those on the library path, loaded when met."""
 
     directories: tuple[Path, ...] = ()
 
@@ -235,10 +246,8 @@ class Library:
 
 def unknown_class(shown: str, part: str, known: Sequence[str], span: Span | None) -> LookupProblem:
     """The error for a class name that is not there."""
-    from difflib import get_close_matches
-
     near = get_close_matches(part, known, 3)
-    hint = f"did you mean {' or '.join(f'`{n}`' for n in near)}?" if near else "check the library path (--path, MODELICAPATH)"
-    error = fail(LookupProblem, "lookup.unknown-class", f"class `{shown}` is not found", span, names=[shown], hint=hint)
-    assert isinstance(error, LookupProblem)
-    return error
+    nearest = " or ".join(f"`{name}`" for name in near)
+    hint = f"did you mean {nearest}?" if near else "check the library path (--path, MODELICAPATH)"
+    message = f"class `{shown}` is not found"
+    return fail(LookupProblem, "lookup.unknown-class", message, span, names=[shown], hint=hint)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import product
 from math import prod
 
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.lang.light import light_object
 from acausal.symbolic.expressions.expr import EnumValue, Expr, const
 
 Shape = tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class Value:
     """A scalar (`shape` is empty) or an array, row by row, of expressions of one scalar type."""
 
@@ -31,7 +31,7 @@ class Value:
         return self.items[0]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class RecordValue:
     """A record: its class's name and its fields in order of declaration."""
 
@@ -39,7 +39,7 @@ class RecordValue:
     fields: dict[str, AnyValue]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@light_object
 class RecordArray:
     """An array of records, row by row."""
 
@@ -51,10 +51,12 @@ AnyValue = Value | RecordValue | RecordArray
 
 
 def scalar(type_: ScalarType, item: Expr) -> Value:
+    """A scalar of any type."""
     return Value(type_, (), (item,))
 
 
 def real(item: Expr) -> Value:
+    """A Real scalar."""
     return Value(REAL, (), (item,))
 
 
@@ -96,6 +98,7 @@ def assignable(source: ScalarType, target: ScalarType) -> bool:
 
 
 def elementwise(function: Callable[[Expr], Expr], a: Value, type_: ScalarType) -> Value:
+    """The function of every element."""
     return Value(type_, a.shape, tuple([function(item) for item in a.items]))
 
 
@@ -131,6 +134,16 @@ def first_element(value: Value, index: int) -> Value:
     return Value(value.type, rest, value.items[index * size : (index + 1) * size])
 
 
+def shape_of(value: AnyValue) -> Shape:
+    """The sizes of a value; none for a scalar and a record."""
+    return () if isinstance(value, RecordValue) else value.shape
+
+
+def first_size(value: AnyValue) -> int | None:
+    """The size of the first dimension; None for a scalar and a record."""
+    return value.shape[0] if not isinstance(value, RecordValue) and value.shape else None
+
+
 def select_part(value: AnyValue, selector: int | str) -> AnyValue | None:
     """One element along the first dimension (from 0) or one field; None when there is no such part."""
     if isinstance(selector, str):
@@ -150,19 +163,33 @@ def select_part(value: AnyValue, selector: int | str) -> AnyValue | None:
 
 
 def stack(values: Sequence[AnyValue], shape: Shape) -> AnyValue | None:
-    """Values of one kind and size as an array whose leading dimensions are `shape`; None if they do not fit."""
-    if all(isinstance(v, RecordValue) for v in values) and values:
-        return RecordArray(shape, tuple([v for v in values if isinstance(v, RecordValue)]))
+    """Values of one kind and size as an array with leading dimensions `shape`; None if they do not fit."""
     plain = [v for v in values if isinstance(v, Value)]
     if len(plain) != len(values) or not plain:
-        return None
+        return _stack_records(values, shape)
+    first = plain[0].shape
     type_ = plain[0].type
     for value in plain[1:]:
         common = unify(type_, value.type)
-        if common is None or value.shape != plain[0].shape:
+        if common is None or value.shape != first:
             return None
         type_ = common
-    return Value(type_, shape + plain[0].shape, tuple([item for value in plain for item in value.items]))
+    return Value(type_, shape + first, tuple([item for value in plain for item in value.items]))
+
+
+def _stack_records(values: Sequence[AnyValue], shape: Shape) -> RecordArray | None:
+    single = [v for v in values if isinstance(v, RecordValue)]
+    if single and len(single) == len(values) and all(same_fields(v, single[0]) for v in single):
+        return RecordArray(shape, tuple(single))
+    arrays = [v for v in values if isinstance(v, RecordArray)]
+    if arrays and len(arrays) == len(values) and all(v.shape == arrays[0].shape for v in arrays):
+        return RecordArray(shape + arrays[0].shape, tuple([item for v in arrays for item in v.items]))
+    return None
+
+
+def same_fields(a: RecordValue, b: RecordValue) -> bool:
+    """Whether two records have fields of the same names."""
+    return len(a.fields) == len(b.fields) and all(name in b.fields for name in a.fields)
 
 
 def subscript(value: Value, selections: Sequence[int | Sequence[int]]) -> Value:

@@ -1,13 +1,13 @@
 """CVODE (variable-order BDF) from SUNDIALS through scikit-sundae, with callbacks into the compiled Functions.
 
-Steps. scikit-sundae does not pass CVODE's step counter on. It is recovered from the times at which CVODE asks for
-derivatives: every attempted step evaluates at its end, and a rejected attempt is followed by an earlier time, so
-accepted steps are the forward moves. The trial evaluations that choose the first step size come before the first
-Jacobian, where counting starts anew.
+Steps. scikit-sundae does not pass CVODE's step counter on. It is recovered from the times at which CVODE
+asks for derivatives: every attempted step evaluates at its end, and a rejected attempt is followed by an
+earlier time, so accepted steps are the forward moves. The trial evaluations that choose the first step size
+come before the first Jacobian, where counting starts anew.
 
-Not-a-number. scikit-sundae ignores what callbacks return, so a failing evaluation cannot be reported as recoverable.
-It fills the derivatives with not-a-number instead; the corrector then does not converge and CVODE takes a quarter
-of the step, exactly as it does for a recoverable failure.
+Not-a-number. scikit-sundae ignores what callbacks return, so a failing evaluation cannot be reported as
+recoverable. It fills the derivatives with not-a-number instead; the corrector then does not converge and
+CVODE takes a quarter of the step, exactly as it does for a recoverable failure.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from sksundae.cvode import CVODE, CVODEResult
 from acausal.errors import SimulationProblem, fail
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.messages import at, some
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 from acausal.simulate.solver import Arrival, Tolerances, Work
 
 SPARSE_FROM = 50
@@ -37,7 +37,7 @@ _CAUSES = {
 
 
 class _Roots:
-    """The zero-crossing callback. scikit-sundae keeps every event it returns in lists on this object."""
+    """The zero-crossing callback; scikit-sundae keeps every event in lists on this object."""
 
     def __init__(self, evaluator: Evaluator) -> None:
         self.terminal = [True] * len(evaluator.m)
@@ -61,7 +61,7 @@ class _Roots:
 
 
 class Cvode:
-    """The `Solver` over one CVODE instance. A model without states gets a constant one, to locate its events."""
+    """The `Solver` over one CVODE instance. Without states there is a constant one, to locate events."""
 
     def __init__(self, evaluator: Evaluator, tolerances: Tolerances) -> None:
         self._evaluator = evaluator
@@ -83,12 +83,16 @@ class Cvode:
         ones = np.ones(len(self._rows))
         limits = self._tolerances
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it says that the pattern is not used for differences: it is exact
+            warnings.simplefilter(
+                "ignore"
+            )  # it says that the pattern is not used for differences: it is exact
             return CVODE(
                 self._derivatives,
                 jacfn=self._sparse_jacobian if self._sparse else self._dense_jacobian,
                 linsolver="sparse" if self._sparse else "dense",
-                sparsity=csc_matrix((ones, (self._rows, self._columns)), shape=shape) if self._sparse else None,
+                sparsity=csc_matrix((ones, (self._rows, self._columns)), shape=shape)
+                if self._sparse
+                else None,
                 rtol=limits.rtol,
                 atol=limits.atol if limits.atol.size else 1.0,
                 min_step=limits.min_step,
@@ -170,14 +174,16 @@ class Cvode:
         if not evaluator.evaluate():
             evaluator.explain()
         time = float(found.t)
-        code, cause = _CAUSES.get(found.status if found.status < 0 else -1, ("simulate.solver", found.message))
+        code, cause = _CAUSES.get(
+            found.status if found.status < 0 else -1, ("simulate.solver", found.message)
+        )
         names = self._dominant(time, x)
         return fail(
             SimulationProblem,
             code,
-            f"CVODE stopped {at(time)}: {cause}; states that change most against their tolerance: {some(names)}",
+            f"CVODE stopped {at(time)}: {cause}; states that change most for their tolerance: {some(names)}",
             names=names,
-            hint="look for a discontinuity that is no event, a wrong nominal value or a solution that does not exist",
+            hint="look for a discontinuity that is no event, a wrong nominal value, or a solution that ends",
         )
 
     def _dominant(self, time: float, x: Vector) -> list[str]:

@@ -1,14 +1,16 @@
 """Event iteration: which modes hold right after an instant.
 
-At an instant a root `g = left - right` may be zero to rounding. Its relation then takes the value that it has a
-moment later along the present derivatives, so that a solver started here moves away from the root with the mode
-that fits, instead of sticking to it. Modes change algebraic variables and derivatives and so other relations;
-they are updated together until nothing changes. Modes that come round again are an error that names their
-conditions: the solution would slide along the switching surface, or has no consistent mode at all.
+At an instant a root `g = left - right` may be zero to rounding. Its relation then takes the value that it
+has a moment later along the present derivatives, so that a solver started here moves away from the root
+with the mode that fits, instead of sticking to it. Modes change algebraic variables and derivatives and so
+other relations; they are updated together until nothing changes. Modes that come round again are an error
+that names their conditions: the solution would slide along the switching surface, or has no consistent mode
+at all.
 """
 
 from __future__ import annotations
 
+import operator
 from collections import deque
 from dataclasses import dataclass, field
 
@@ -18,7 +20,7 @@ from numpy.typing import NDArray
 from acausal.errors import AcausalError, Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.messages import at, crossing_text, some
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.expr import symbols
 
@@ -30,20 +32,16 @@ ZENO_EVENTS = 100
 ZENO_SHARE = 1e-6
 """This many events within this share of the simulated time are an accumulation."""
 
-_TRUE = {
-    "lt": lambda g: g < 0,
-    "le": lambda g: g <= 0,
-    "gt": lambda g: g > 0,
-    "ge": lambda g: g >= 0,
-}
+_TRUE = {"lt": operator.lt, "le": operator.le, "gt": operator.gt, "ge": operator.ge}
 
 
 def literal_modes(code_relations: tuple[str, ...], roots: Vector) -> Vector:
     """The relations' values from their roots alone."""
-    return np.array([float(_TRUE[op](g)) for op, g in zip(code_relations, roots, strict=True)])
+    return np.array([float(_TRUE[op](g, 0.0)) for op, g in zip(code_relations, roots, strict=True)])
 
 
 def operators(system: CausalSystem) -> tuple[str, ...]:
+    """The relations' operators, in the order of the modes."""
     return tuple(crossing.relation.op for crossing in system.zero_crossings)
 
 
@@ -56,9 +54,10 @@ def crossed_modes(ops: tuple[str, ...], modes: Vector, crossed: NDArray[np.int_]
 def settle_modes(
     evaluator: Evaluator, time: float, x: Vector, ahead: float, crossed: NDArray[np.int_] | None = None
 ) -> None:
-    """Iterates the evaluator's modes to a fixed point at this instant; `ahead` is the small time to look forward.
+    """Iterates the evaluator's modes to a fixed point at this instant, looking `ahead` by a small time.
 
-    `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Raises `SimulationProblem` (`simulate.mode-cycle`) where they do not settle.
+    `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them.
+    Raises `SimulationProblem` (`simulate.mode-cycle`) where the modes do not settle.
     """
     system = evaluator.code.system
     ops = operators(system)
@@ -83,9 +82,7 @@ def settle_modes(
     raise _cycle(system, history, time)
 
 
-def _wanted(
-    evaluator: Evaluator, time: float, x: Vector, ahead: float, at_root: NDArray[np.bool_]
-) -> Vector:
+def _wanted(evaluator: Evaluator, time: float, x: Vector, ahead: float, at_root: NDArray[np.bool_]) -> Vector:
     """The values that the relations have now, or a moment later where their root is zero."""
     ops = operators(evaluator.code.system)
     evaluator.event()
@@ -144,13 +141,13 @@ class EventGuard:
         if len(self._recent) < ZENO_EVENTS or time - self._recent[0][0] > ZENO_SHARE * self.span:
             return
         involved = np.any(np.array([c for _, c in self._recent]), axis=0)
-        crossings = [c for c, on in zip(self.system.zero_crossings, involved, strict=True) if on]
+        crossings = [c for c, on in zip(self.system.events, involved, strict=True) if on]
         texts = some([crossing_text(crossing) for crossing in crossings])
         first = self._recent[0][0]
         message = (
             f"events accumulate {at(time)}: {ZENO_EVENTS} within {time - first:.3g} s, "
             f"all by the conditions {texts}"
         )
-        hint = "the time between events shrinks to zero (Zeno behaviour): add a hysteresis, a dwell time or damping"
+        hint = "the time between events shrinks to zero (Zeno): add a hysteresis, a dwell time or damping"
         names = symbols([crossing.relation for crossing in crossings])
         raise SimulationProblem(Diagnostic("simulate.zeno", message, crossings[0].span, names, hint))

@@ -7,24 +7,30 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from acausal.codegen.functions import Code
-from acausal.errors import AcausalError, Diagnostic, InitializationProblem, LookupProblem, UsageProblem, fail
-from acausal.lang.flat import STRING
+from acausal.codegen.functions import Code, state_leaves
+from acausal.errors import Diagnostic, InitializationProblem
+from acausal.simulate.block_solvers import Walk
+from acausal.simulate.call import call
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.events import MAX_ITERATIONS, literal_modes, operators
-from acausal.simulate.messages import crossing_text, equation_text, number, place, some
-from acausal.simulate.names import did_you_mean
-from acausal.simulate.newton import Vector
-from acausal.simulate.walk import Walk, call, walk
+from acausal.simulate.events import literal_modes, operators
+from acausal.simulate.initial_modes import consistent_modes
+from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
+from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import equation_text, leaf_name, number, place, some
+from acausal.simulate.overrides import Override, parameter_overrides, parameter_values, start_values
+from acausal.simulate.walk import Walked, walk
+from acausal.symbolic.causal import Block
 from acausal.symbolic.expressions.expr import Expr, sym, symbols
 
 CHECK_TOLERANCE = 1e-6
 """Largest residual of a redundant initial equation, relative to the size of its terms."""
+_ROUNDING = 1e-12
+"""A root this small beside its sides does not change its mode while the initial modes are searched."""
 
 
 @dataclass(frozen=True)
 class UsedStart:
-    """A start value that decided the initial state: which, its value, and why (`fixed`, `assumed`, `guess`)."""
+    """A start value that was used, its value, and how (`fixed`, `assumed` or `guess`)."""
 
     name: str
     value: float
@@ -33,153 +39,102 @@ class UsedStart:
 
 @dataclass(frozen=True)
 class InitialPoint:
-    """The solved initial problem. `evaluator` holds the parameters, modes and guesses that belong to it."""
+    """The solved initial problem. `evaluator` holds parameters, inputs, modes and guesses that belong to it."""
 
     evaluator: Evaluator
     time: float
     x: Vector
     used: tuple[UsedStart, ...]
+    warnings: tuple[Diagnostic, ...] = ()
+    """Blocks that only a homotopy could solve (`initialize.homotopy`)."""
 
 
 def initialize(
-    code: Code, time: float, parameters: Mapping[str, float] | None = None, start: Mapping[str, float] | None = None
+    code: Code,
+    time: float,
+    parameters: Mapping[str, Override] | None = None,
+    start: Mapping[str, float] | None = None,
+    inputs: Mapping[str, InputValue] | None = None,
+    until: float | None = None,
 ) -> InitialPoint:
     """The consistent initial point at `time`.
 
-    `parameters` override bindings, `start` override start values. Raises `InitializationProblem`, and
-    `UsageProblem` or `LookupProblem` for overrides that cannot be.
+    `parameters` override bindings, `start` override start values, `inputs` give the model's inputs, whose
+    tables must reach `until`. Raises `InitializationProblem`, and `UsageProblem` or `LookupProblem` for what
+    cannot be given.
     """
-    given, override = _overrides(code, parameters or {})
-    p = _parameter_values(code, given, override)
-    starts = _start_values(code, p, start or {})
-    values, modes = _modes_and_values(code, time, p, starts)
-    slots = code.initial.slots
+    given, override = parameter_overrides(code, parameters or {})
+    p = parameter_values(code, given, override)
+    bound = bind_inputs(code, p, inputs or {}, time, time if until is None else until)
+    problem = _Problem(code, time, p, bound, start_values(code, p, start or {}))
+    walked, modes = consistent_modes(code, problem.suggested(), problem.solve, problem.wanted)
+    known = dict(zip(code.initial.slots, walked.values.tolist(), strict=True))
     for i, name in enumerate(code.system.parameters):
         if sym(name) in code.initial.unknowns:
-            given[i], override[i] = values[slots[sym(name)]], 1.0
-    p = _parameter_values(code, given, override)
-    evaluator = Evaluator(code, p)
+            given[i], override[i] = known[sym(name)], 1.0
+    evaluator = Evaluator(code, parameter_values(code, given, override), bound)
     evaluator.m[:] = modes
-    known = dict(zip(slots, values.tolist(), strict=True))
     evaluator.guess[:] = [known.get(leaf, 0.0) for leaf in code.dynamic.guesses]
-    _check(code, values)
-    x = np.array([known[sym(name)] for name in code.system.states])
+    _check(code, walked.values)
+    x = np.array([known[leaf] for leaf in state_leaves(code.system)])
     reasons = code.system.initial.values
-    used = tuple(UsedStart(v.name, float(s), v.reason) for v, s in zip(reasons, starts, strict=True))
-    return InitialPoint(evaluator, time, x, used)
+    used = tuple(UsedStart(v.name, float(s), v.reason) for v, s in zip(reasons, problem.starts, strict=True))
+    return InitialPoint(evaluator, time, x, used, tuple(_homotopy_used(b) for b in walked.continued))
 
 
-def _overrides(code: Code, parameters: Mapping[str, float]) -> tuple[Vector, Vector]:
-    names = code.system.parameters
-    given, override = np.zeros(len(names)), np.zeros(len(names))
-    position = {name: i for i, name in enumerate(names)}
-    for name, value in parameters.items():
-        if name not in position:
-            raise fail(
-                LookupProblem,
-                "simulate.unknown-parameter",
-                f"the model has no parameter '{name}'",
-                names=[name],
-                hint=did_you_mean(name, names),
-            )
-        variable = code.system.flat.by_name[name]
-        if variable.final or variable.structural or not variable.type.is_numeric:
-            why = "final" if variable.final else "structural" if variable.structural else f"a {variable.type}"
-            raise fail(
-                UsageProblem,
-                "simulate.fixed-parameter",
-                f"parameter '{name}' is {why} and cannot be changed without compiling again",
-                variable.span,
-                names=[name],
-            )
-        given[position[name]], override[position[name]] = value, 1.0
-    return given, override
+class _Problem:
+    """The initial problem at one time with one set of parameters, inputs and start values."""
 
+    def __init__(self, code: Code, time: float, p: Vector, inputs: Inputs, starts: Vector) -> None:
+        self._code = code
+        self._time = time
+        self._p = p
+        self._u = inputs.constants.copy()
+        inputs.fill(time, self._u)
+        inputs.explain(time, self._u)
+        self.starts = starts
+        names = [value.name for value in code.system.initial.values]
+        guess = dict(zip(names, starts.tolist(), strict=True))
+        self._how = Walk(InitializationProblem, time, _nominals(code, p), guess)
 
-def _parameter_values(code: Code, given: Vector, override: Vector) -> Vector:
-    p = call(code.parameters, given, override)[0].ravel()
-    free = {leaf for leaf in code.initial.unknowns if leaf.op == "sym"}
-    problems: list[Diagnostic] = []
-    for name, value in zip(code.system.parameters, p, strict=True):
-        variable = code.system.flat.by_name[name]
-        if np.isfinite(value) or variable.type == STRING or sym(name) in free:
-            continue
-        missing = variable.binding is None and variable.start is None
-        message = f"parameter '{name}' has no value" if missing else f"parameter '{name}' is {value}"
-        hint = f"give it one: {name}=…" if missing else "look for a division by zero or a root of a negative number"
-        problems.append(Diagnostic("simulate.parameter-value", message, variable.span, (name,), hint))
-    if problems:
-        raise InitializationProblem(problems)
-    return p
+    def suggested(self) -> Vector:
+        """The modes with every variable at its start value."""
+        time = np.array([self._time])
+        roots = call(self._code.start_roots, time, self._p, self._u, self.starts)[0].ravel()
+        return literal_modes(operators(self._code.system), np.nan_to_num(roots, nan=0.0))
 
+    def solve(self, modes: Vector) -> Walked:
+        """All values in these modes."""
+        inputs = [np.array([self._time]), self._p, modes, self._u, self.starts]
+        return walk(self._code.initial, np.concatenate(inputs), self._how)
 
-def _start_values(code: Code, p: Vector, start: Mapping[str, float]) -> Vector:
-    values = call(code.starts, p)[0].ravel()
-    names = [value.name for value in code.system.initial.values]
-    for name, value in start.items():
-        if name not in names:
-            raise fail(
-                LookupProblem,
-                "simulate.unused-start",
-                f"the initial problem uses no start value of '{name}'",
-                names=[name],
-                hint=f"start values in use: {some(names)}",
-            )
-        values[names.index(name)] = value
-    return values
-
-
-def _modes_and_values(code: Code, time: float, p: Vector, starts: Vector) -> tuple[Vector, Vector]:
-    """Solves the blocks with modes that agree with the solution, found by iteration from all false."""
-    ops = operators(code.system)
-    modes = np.zeros(len(ops))
-    history: list[Vector] = []
-    for _ in range(MAX_ITERATIONS):
-        values = _walk(code, time, p, modes, starts)
-        if not ops:
-            return values, modes
-        wanted = literal_modes(ops, _roots(code, time, p, modes, values))
-        if np.array_equal(wanted, modes):
-            return values, modes
-        history.append(modes)
-        if any(np.array_equal(wanted, seen) for seen in history):
-            break
-        modes = wanted
-    raise _cycle(code, history)
-
-
-def _walk(code: Code, time: float, p: Vector, modes: Vector, starts: Vector) -> Vector:
-    nominal = _nominals(code, p)
-    names = [value.name for value in code.system.initial.values]
-    guess = {n: float(s) for n, s in zip(names, starts, strict=True)}
-    how = Walk(InitializationProblem, time, nominal, guess)
-    return walk(code.initial, np.concatenate([[time], p, modes, starts]), how)
+    def wanted(self, modes: Vector, values: Vector) -> Vector:
+        """The relations' values at the solution."""
+        code, slots = self._code, self._code.initial.slots
+        x = values[[slots[leaf] for leaf in state_leaves(code.system)]]
+        z = np.array([values[slots[leaf]] if leaf in slots else 0.0 for leaf in code.dynamic.guesses])
+        p = values[[slots[sym(name)] for name in code.system.parameters]]
+        point = [np.array([self._time]), x, p, modes, self._u, z]
+        roots, sizes = (call(f, *point)[0].ravel() for f in (code.events, code.sizes))
+        rounded = (np.abs(roots) <= _ROUNDING * sizes) & (roots != 0)
+        return np.where(rounded, modes, literal_modes(operators(code.system), roots))
 
 
 def _nominals(code: Code, p: Vector) -> dict[Expr, float]:
     states, guesses = (column.ravel().tolist() for column in call(code.nominals, p))
-    known = dict(zip((sym(name) for name in code.system.states), states, strict=True))
+    known = dict(zip(state_leaves(code.system), states, strict=True))
     return known | dict(zip(code.dynamic.guesses, guesses, strict=True))
 
 
-def _roots(code: Code, time: float, p: Vector, modes: Vector, values: Vector) -> Vector:
-    slots = code.initial.slots
-    x = values[[slots[sym(name)] for name in code.system.states]]
-    guess = np.array([values[slots[leaf]] if leaf in slots else 0.0 for leaf in code.dynamic.guesses])
-    return call(code.events, np.array([time]), x, p, modes, guess)[0].ravel()
-
-
-def _cycle(code: Code, history: list[Vector]) -> AcausalError:
-    changing = np.ptp(np.array(history), axis=0) > 0 if len(history) > 1 else history[0] >= 0
-    crossings = [c for c, changes in zip(code.system.zero_crossings, changing, strict=True) if changes]
-    texts = some([crossing_text(crossing) for crossing in crossings])
-    return fail(
-        InitializationProblem,
-        "initialize.mode-cycle",
-        f"no consistent initial modes: the conditions {texts} switch back and forth",
-        crossings[0].span,
-        names=symbols([crossing.relation for crossing in crossings]),
-        hint="change start values so that the conditions are decided, or add a hysteresis",
+def _homotopy_used(block: Block) -> Diagnostic:
+    names = [leaf_name(leaf) for leaf in block.tearing]
+    return Diagnostic(
+        "initialize.homotopy",
+        f"the initial values of {some(names)} were found by a homotopy only: the start values are far away",
+        block.residuals[0].equation.flat.span,
+        tuple(names),
+        "give better start values",
+        "warning",
     )
 
 
@@ -194,10 +149,16 @@ def _check(code: Code, values: Vector) -> None:
     for check, residual, size in zip(checks, residuals, sizes, strict=True):
         if abs(residual) <= CHECK_TOLERANCE * max(size, 1e-300):
             continue
-        names = symbols([check.value])
-        shown = some([f"{n} = {number(values[code.initial.slots[sym(n)]])}" for n in names if sym(n) in code.initial.slots])
+        names, span = symbols([check.value]), check.equation.flat.span
+        shown = some(
+            [
+                f"{n} = {number(values[code.initial.slots[sym(n)]])}"
+                for n in names
+                if sym(n) in code.initial.slots
+            ]
+        )
         message = (
-            f"the initial values contradict '{equation_text(check.equation)}' ({place(check.equation.flat.span)}): "
+            f"the initial values contradict '{equation_text(check.equation)}' ({place(span)}): "
             f"it is off by {number(residual)}, with {shown}"
         )
         hint = "fewer start values may be fixed: remove 'fixed = true' from one of these, or make them agree"

@@ -29,10 +29,12 @@ def leaf_name(leaf: Expr) -> str:
 
 
 def number(value: float) -> str:
+    """Six digits are enough to recognise a value."""
     return f"{value:.6g}"
 
 
 def at(time: float) -> str:
+    """The instant, for the middle of a sentence."""
     return f"at time {time:.12g} s"
 
 
@@ -42,6 +44,7 @@ def values_text(pairs: Iterable[tuple[Expr, float]]) -> str:
 
 
 def block_equations(block: Block) -> list[CausalEquation]:
+    """All equations of a block, residuals first."""
     return [r.equation for r in block.residuals] + [a.equation for a in block.assignments]
 
 
@@ -53,10 +56,14 @@ def block_problem(
     noun = "unknown" if len(unknowns) == 1 else "unknowns"
     equations = [block.residuals[i].equation for i in worst] or block_equations(block)[:1]
     texts = some([f"'{equation_text(e)}'" for e in equations])
-    message = f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
+    message = (
+        f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
+    )
     first = Diagnostic(code, message, equations[0].flat.span, tuple(unknowns), hint)
     rest = [
-        Diagnostic(code, f"involved as well: '{equation_text(e)}'", e.flat.span, tuple(symbols((e.left, e.right))))
+        Diagnostic(
+            code, f"involved as well: '{equation_text(e)}'", e.flat.span, tuple(symbols((e.left, e.right)))
+        )
         for e in equations[1:_SHOWN]
     ]
     return kind([first, *rest])
@@ -68,4 +75,5 @@ def crossing_text(crossing: ZeroCrossing) -> str:
 
 
 def place(span: Span) -> str:
+    """`file:line`."""
     return f"{span.file}:{span.line}"

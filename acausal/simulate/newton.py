@@ -1,8 +1,14 @@
 """A robust Newton method for one torn block, for starting points that are far away.
 
-Unknowns are scaled by `max(|z|, nominal)`, equations by the size of their row, so that neither units nor the way an
-equation is written matter. Steps are damped until the scaled residual falls; where the Jacobian is singular, a
-Levenberg-Marquardt step is taken. Used for the initial problem and when the integrator's own Newton method fails.
+Unknowns are scaled by `max(|z|, nominal)`, equations by the size of their row, so that neither units nor
+the way an equation is written matter. A step is halved until the scaled residual falls, or until the next
+simplified Newton step is shorter (Deuflhard's natural monotonicity test: Newton Methods for Nonlinear
+Problems, 2004, 3.3), which also passes along curved valleys; where the Jacobian is singular, a
+Levenberg-Marquardt step is taken. Where a derivative is infinite (a square root at zero) rows look large and
+residuals small: a solution counts only if the residual is small beside differences over a short distance too.
+
+Used for the initial problem, at events, and when the integrator's own Newton method fails; `continuation`
+is the next resort.
 """
 
 from __future__ import annotations
@@ -11,16 +17,28 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Vector = NDArray[np.float64]
-System = Callable[[Vector], tuple[Vector, Vector]]
-"""`z -> (r, J)` with a dense Jacobian."""
+from acausal.simulate.matrices import (
+    Matrix,
+    Vector,
+    dependent_rows,
+    is_finite,
+    minimum_norm,
+    row_sums,
+    scaled,
+    solve_regular,
+)
+
+System = Callable[[Vector], tuple[Vector, Matrix]]
+"""`z -> (r, J)`."""
 
 CONVERGED = 1e-12
 ACCEPTED = 1e-8
 MAX_ITERATIONS = 100
-_SINGULAR = 1e-13
+_HALVINGS = 40
+_ESCAPES = 4
+_PROBE = 1e-6
+_LONGEST = 1e8
 
 
 @dataclass(frozen=True)
@@ -33,68 +51,125 @@ class Solution:
     iterations: int
 
 
-def scales(z: Vector, jacobian: Vector, nominal: Vector) -> tuple[Vector, Vector]:
+@dataclass(frozen=True)
+class _Point:
+    """A point with everything that is known there; `rows` scale residuals, `columns` unknowns."""
+
+    z: Vector
+    residual: Vector
+    jacobian: Matrix
+    columns: Vector
+    rows: Vector
+
+    @property
+    def scaled(self) -> Vector:
+        return self.residual / self.rows
+
+    @property
+    def worst(self) -> float:
+        return float(np.abs(self.scaled).max(initial=0.0))
+
+
+def scales(z: Vector, jacobian: Matrix, nominal: Vector) -> tuple[Vector, Vector]:
     """Column scales (size of unknowns) and row scales (size of equations)."""
     columns = np.maximum(np.abs(z), nominal)
-    rows = np.abs(jacobian) @ columns
+    rows = row_sums(jacobian, columns)
     return columns, np.where(rows > 0, rows, 1.0)
 
 
-def null_rows(jacobian: Vector, z: Vector, nominal: Vector) -> tuple[int, ...] | None:
-    """The equations that depend on each other where the scaled Jacobian is singular; None where it is regular."""
+def null_rows(jacobian: Matrix, z: Vector, nominal: Vector) -> tuple[int, ...] | None:
+    """The equations that depend on each other if the scaled Jacobian is singular; None if it is regular."""
     columns, rows = scales(z, jacobian, nominal)
-    if not np.isfinite(jacobian).all():
+    if not is_finite(jacobian):
         return None
-    left, singular, _ = np.linalg.svd(jacobian * columns / rows[:, None])
-    if singular[-1] > _SINGULAR * max(singular[0], 1e-300):
-        return None
-    weights = np.abs(left[:, -1])
-    return tuple(int(i) for i in np.flatnonzero(weights > 1e-6 * weights.max()))
+    return dependent_rows(scaled(jacobian, rows, columns))
 
 
-def solve(system: System, start: Vector, nominal: Vector) -> Solution:
-    """Damped Newton iterations from `start`, at most `MAX_ITERATIONS`."""
-    z = start.copy()
+def solve(system: System, start: Vector, nominal: Vector, limit: int = MAX_ITERATIONS) -> Solution:
+    """Damped Newton iterations from `start`, at most `limit`."""
+    with np.errstate(all="ignore"):
+        return _iterate(system, start, nominal, limit)
+
+
+def _iterate(system: System, start: Vector, nominal: Vector, limit: int) -> Solution:
+    point = _first(system, start, nominal)
+    if point is None:
+        return Solution(start, False, np.full(len(start), np.inf), 0)
+    escapes = 0
+    for iteration in range(limit):
+        done = point.worst <= CONVERGED
+        if done and _is_solution(system, point):
+            return Solution(point.z, True, point.scaled, iteration)
+        step = point.columns * direction(point)
+        following = None if done else _damped(system, point, step, nominal)
+        if following is None and not done and point.worst <= ACCEPTED and _is_solution(system, point):
+            return Solution(point.z, True, point.scaled, iteration)
+        if following is None and escapes < _ESCAPES:
+            escapes += 1
+            far = point.z + 10.0 ** (escapes - _ESCAPES) * point.columns * np.where(step < 0, -1.0, 1.0)
+            following = _at(system, far, nominal)
+        if following is None:
+            return Solution(point.z, False, point.scaled, iteration)
+        point = following
+    return Solution(point.z, False, point.scaled, limit)
+
+
+def _at(system: System, z: Vector, nominal: Vector) -> _Point | None:
+    """None where something is not finite."""
     residual, jacobian = system(z)
-    scaled = np.full(len(z), np.inf)
-    for iteration in range(MAX_ITERATIONS):
-        if not (np.isfinite(residual).all() and np.isfinite(jacobian).all()):
-            return Solution(z, False, np.full(len(z), np.inf), iteration)
-        columns, rows = scales(z, jacobian, nominal)
-        scaled = residual / rows
-        if np.abs(scaled).max(initial=0.0) <= CONVERGED:
-            return Solution(z, True, scaled, iteration)
-        step = columns * _direction(jacobian * columns / rows[:, None], scaled)
-        trial = _damped(system, z, step, rows, float(np.linalg.norm(scaled)))
-        if trial is None:
-            break
-        z, residual, jacobian = trial
-    done = bool(np.abs(scaled).max(initial=0.0) <= ACCEPTED)
-    return Solution(z, done, scaled, MAX_ITERATIONS)
+    if not (np.isfinite(residual).all() and is_finite(jacobian)):
+        return None
+    return _Point(z, residual, jacobian, *scales(z, jacobian, nominal))
 
 
-def _direction(matrix: Vector, scaled: Vector) -> Vector:
-    """`-matrix \\ scaled`, regularised where the matrix is close to singular."""
-    try:
-        step = np.linalg.solve(matrix, -scaled)
-        if np.isfinite(step).all() and np.abs(step).max(initial=0.0) < 1e8:
-            return step
-    except np.linalg.LinAlgError:
-        pass
-    damping = 1e-6 * np.linalg.norm(matrix) ** 2 + 1e-300
-    return -np.linalg.solve(matrix.T @ matrix + damping * np.eye(len(scaled)), matrix.T @ scaled)
+def _first(system: System, start: Vector, nominal: Vector) -> _Point | None:
+    """The start, or a point close to it where the equations can be evaluated."""
+    size = np.maximum(np.abs(start), nominal)
+    for distance in (0.0, 1e-6, -1e-6, 1e-3, -1e-3, 1e-1, -1e-1, 1.0, -1.0):
+        point = _at(system, start + distance * size, nominal)
+        if point is not None:
+            return point
+    return None
 
 
-def _damped(
-    system: System, z: Vector, step: Vector, rows: Vector, norm: float
-) -> tuple[Vector, Vector, Vector] | None:
-    """The longest of the steps 1, 1/2, 1/4, … that reduces the scaled residual; None when none does."""
+def _is_solution(system: System, point: _Point) -> bool:
+    """Whether the residual is also small beside its change over a short distance."""
+    shape = 0.5 + np.modf(np.arange(1, len(point.z) + 1) * 0.6180339887498949)[0]
+    distance = _PROBE * point.columns * shape
+    foreseen = np.abs(np.asarray(point.jacobian @ distance, dtype=np.float64))
+    change = np.abs(system(point.z + distance)[0] - point.residual)
+    steep = (foreseen > 1e-3 * _PROBE * point.rows) & (change < 0.1 * foreseen)
+    size = np.where(steep, change / _PROBE, point.rows)
+    return bool(np.all(np.abs(point.residual) <= ACCEPTED * size))
+
+
+def direction(point: _Point) -> Vector:
+    """The scaled Newton step, regularised where the matrix is close to singular."""
+    matrix = scaled(point.jacobian, point.rows, point.columns)
+    step = solve_regular(matrix, -point.scaled)
+    if step is not None and np.abs(step).max(initial=0.0) < _LONGEST:
+        return step
+    if not isinstance(matrix, np.ndarray):
+        return minimum_norm(matrix, -point.scaled)
+    damping = 1e-6 * float(np.linalg.norm(matrix)) ** 2 + 1e-300
+    normal: Vector = matrix.T @ matrix + damping * np.eye(len(point.z))
+    return np.asarray(np.linalg.solve(normal, -(matrix.T @ point.scaled)), dtype=np.float64)
+
+
+def _damped(system: System, point: _Point, step: Vector, nominal: Vector) -> _Point | None:
+    """The longest of the steps 1, 1/2, 1/4, … that leads closer to a solution; None when none does."""
+    matrix = scaled(point.jacobian, point.rows, point.columns)
+    before = float(np.linalg.norm(point.scaled))
+    length = float(np.linalg.norm(step / point.columns))
     factor = 1.0
-    for _ in range(40):
-        trial = z + factor * step
-        residual, jacobian = system(trial)
-        size = float(np.linalg.norm(residual / rows)) if np.isfinite(residual).all() else np.inf
-        if size <= (1 - 1e-4 * factor) * norm:
-            return trial, residual, jacobian
+    for _ in range(_HALVINGS):
+        trial = _at(system, point.z + factor * step, nominal)
+        if trial is not None:
+            size = trial.residual / point.rows
+            if float(np.linalg.norm(size)) <= (1 - 1e-4 * factor) * before:
+                return trial
+            simplified = solve_regular(matrix, -size)
+            if simplified is not None and float(np.linalg.norm(simplified)) <= (1 - factor / 4) * length:
+                return trial
         factor *= 0.5
     return None

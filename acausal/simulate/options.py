@@ -17,7 +17,7 @@ _MAX_POINTS = 50_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """A run's settings, complete: `atol` is multiplied by each state's nominal value; `max_step` 0 is no limit."""
+    """A run's settings, complete: `atol` counts in nominal values; `max_step` 0 is no limit."""
 
     start_time: float
     stop_time: float
@@ -48,8 +48,8 @@ def resolve(
 ) -> Options:
     """Settings as given, else from the `experiment` annotation, else the contract's: 1 s, 1e-6, 1/500.
 
-    `atol` is by default `rtol`. With zero crossings and no `max_step`, steps are limited to the output interval,
-    so that two crossings in one long step are not missed. Raises `UsageProblem`.
+    `atol` is by default `rtol`. With zero crossings and no `max_step`, steps are limited to the output
+    interval, so that two crossings in one long step are not missed. Raises `UsageProblem`.
     """
     start = _first(start_time, experiment.start_time, 0.0)
     stop = _first(stop_time, experiment.stop_time, start + DEFAULT_STOP)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from acausal.errors import Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.messages import at
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
 from acausal.symbolic.expressions.text import to_text
@@ -21,9 +22,18 @@ class Recorder:
         self._times: list[float] = []
         self._rows: list[Vector] = []
         self._violated: dict[int, Diagnostic] = {}
+        self.leaves = evaluator.code.output_leaves
+        """What the columns of `data` are."""
+        self._order: NDArray[np.int_] | None = None
+
+    def go_on_with(self, evaluator: Evaluator) -> None:
+        """Record another choice of states of the same system from now on, in the same columns."""
+        self._evaluator = evaluator
+        position = {to_text(leaf): i for i, leaf in enumerate(evaluator.code.output_leaves)}
+        self._order = np.array([position[to_text(leaf)] for leaf in self.leaves], dtype=np.int_)
 
     def add(self, time: float, x: Vector) -> None:
-        """Evaluates all variables here. Raises `SimulationProblem` for what is not finite or asserted otherwise."""
+        """Evaluates all variables. Raises `SimulationProblem` (not finite, assertion violated)."""
         evaluator = self._evaluator
         evaluator.at(time, x)
         evaluator.output()
@@ -33,7 +43,7 @@ class Recorder:
             evaluator.explain()
             evaluator.output()
         self._times.append(time)
-        self._rows.append(row.copy())
+        self._rows.append(row.copy() if self._order is None else row[self._order])
         if evaluator.code.system.assertions:
             self._assert(time)
 
@@ -62,8 +72,7 @@ class Recorder:
 
     @property
     def data(self) -> Vector:
-        width = self._evaluator.output.outputs[0].size
-        return np.array(self._rows).reshape(len(self._rows), width)
+        return np.array(self._rows).reshape(len(self._rows), len(self.leaves))
 
 
 def message_text(message: Expr) -> str:
@@ -77,4 +86,3 @@ def message_text(message: Expr) -> str:
         return str(evaluate(message, lookup))
     except (NotConstant, EvaluationFailed):
         return to_text(message)
-

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -14,11 +15,14 @@ from acausal.errors import Diagnostic, LookupProblem, fail
 from acausal.lang.flat import Variable
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.names import did_you_mean
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, neg
 from acausal.symbolic.expressions.text import to_text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -33,11 +37,13 @@ class Statistics:
     events: int
     cpu_seconds: float
     real_time_factor: float
+    state_selections: int = 0
+    """How often states were chosen anew (dynamic state selection)."""
 
 
 @dataclass(frozen=True)
 class Result:
-    """Values of every variable at the output grid and on both sides of every event (equal times are allowed)."""
+    """Values of every variable at the output grid and on both sides of every event (at equal times)."""
 
     system: CausalSystem
     time: Vector
@@ -103,7 +109,13 @@ class Result:
         inner = self.variable(name[4:-1]) if name.startswith("der(") else None
         if inner is None or not inner.unit:
             return ""
-        return "1/s" if inner.unit == "1" else f"{inner.unit}/s" if "/" not in inner.unit else f"({inner.unit})/s"
+        return (
+            "1/s"
+            if inner.unit == "1"
+            else f"{inner.unit}/s"
+            if "/" not in inner.unit
+            else f"({inner.unit})/s"
+        )
 
     def __getitem__(self, name: str) -> xr.DataArray:
         """`result["line.p"]`: values over time as a labelled array with its unit."""
@@ -118,7 +130,7 @@ class Result:
         """The values at the end."""
         return {name: float(self.values(name)[-1]) for name in names}
 
-    @cached_property
+    @property
     def default_names(self) -> tuple[str, ...]:
         """States and public variables of the top level (contract.md)."""
         top = [v.name for v in self.system.flat.unknowns if v.top_level and not v.protected]
@@ -135,6 +147,12 @@ class Result:
         arrays = {name: self[name] for name in chosen}
         coordinate = xr.DataArray(self.time, dims="time", attrs={"units": "s"})
         return xr.Dataset(arrays, coords={"time": coordinate}, attrs={"model": self.system.flat.name})
+
+    def plot(self, *names: str, path: str | Path | None = None) -> Figure:
+        """Draws the chosen variables (or `default_names`), and writes PNG, SVG or PDF to `path`."""
+        from acausal.plotting import plot  # Matplotlib takes half a second to import
+
+        return plot(self, names or None, path)
 
     def to_csv(self, path: str | Path, names: Sequence[str] | None = None) -> Path:
         """Writes `time` and the chosen variables with all digits; the same run gives the same bytes."""

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators, settle_modes
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
 from acausal.simulate.record import Recorder
-from acausal.simulate.solver import Solver
+from acausal.simulate.reselect import Reselection
+from acausal.simulate.solver import Solver, Work
 
 _AHEAD = 1e-9
 """How far to look forward for the side of a zero root, relative to the simulated time."""
@@ -29,30 +31,52 @@ def grid(options: Options) -> Iterator[float]:
         yield stop
 
 
-def run(evaluator: Evaluator, solver: Solver | None, x: Vector, options: Options, recorder: Recorder) -> int:
-    """Integrates and records; returns the number of event instants.
+@dataclass(frozen=True)
+class Course:
+    """How a run went: event instants, new choices of states, and what the integrator did."""
 
-    `solver` is None for a model without states and events, which is only evaluated. Raises `SimulationProblem`.
+    events: int
+    state_selections: int
+    work: Work
+
+
+def run(
+    evaluator: Evaluator,
+    solver: Callable[[Evaluator], Solver] | None,
+    x: Vector,
+    options: Options,
+    recorder: Recorder,
+) -> Course:
+    """Integrates and records.
+
+    `solver` makes an integrator; it is None for a model without states and events, which is only evaluated.
+    Raises `SimulationProblem`, and ReductionProblem where no states can be chosen any more.
     """
-    time = options.start_time
     loop = _Loop(evaluator, solver, options, recorder)
-    loop.begin(time, x)
+    loop.begin(options.start_time, x)
     for target in grid(options):
         loop.reach(target)
-    return loop.guard.count
+    return loop.course()
 
 
 class _Loop:
     """The present point of a run."""
 
     def __init__(
-        self, evaluator: Evaluator, solver: Solver | None, options: Options, recorder: Recorder
+        self,
+        evaluator: Evaluator,
+        make_solver: Callable[[Evaluator], Solver] | None,
+        options: Options,
+        recorder: Recorder,
     ) -> None:
         self.evaluator = evaluator
-        self.solver = solver
+        self.make_solver = make_solver
+        self.solver = make_solver(evaluator) if make_solver is not None else None
         self.options = options
         self.recorder = recorder
         self.guard = EventGuard(evaluator.code.system, options.span)
+        self.reselection = Reselection(evaluator, options.span)
+        self._before = Work(0, 0, 0)
         self._operators = operators(evaluator.code.system)
         self._ahead = _AHEAD * (options.span or 1.0)
         self._time = options.start_time
@@ -65,10 +89,9 @@ class _Loop:
         self.evaluator.settle()
         self.recorder.add(time, x)
         settle_modes(self.evaluator, time, x, self._ahead)
-        if not np.array_equal(before, self.evaluator.m):
+        if not np.array_equal(self._own(before), self._own(self.evaluator.m)):
             self.recorder.add(time, x)
-        if self.solver is not None:
-            self.solver.restart(time, x)
+        self._restart()
 
     def reach(self, target: float) -> None:
         """Advances to the grid point `target` through all events before it."""
@@ -88,8 +111,19 @@ class _Loop:
                 self._event(self.evaluator.m.copy(), None)
         self.recorder.add(target, self._x)
 
+    def course(self) -> Course:
+        """What happened so far."""
+        return Course(self.guard.count, self.reselection.count, self._work())
+
+    def _work(self) -> Work:
+        return self._before if self.solver is None else self._before + self.solver.work
+
+    def _own(self, modes: Vector) -> Vector:
+        """The modes of the model's events, without those that watch the choice of states."""
+        return modes[: self.reselection.own(self.evaluator)]
+
     def _modes_hold(self) -> bool:
-        """Whether every relation still has its mode, beyond doubt by rounding: a net below CVODE's root search."""
+        """Whether no relation clearly lost its mode: a net below CVODE's root search."""
         evaluator = self.evaluator
         evaluator.at(self._time, self._x)
         evaluator.event()
@@ -104,12 +138,25 @@ class _Loop:
         """Records both sides of an event and starts the solver anew where modes changed."""
         evaluator = self.evaluator
         before = evaluator.m.copy()
-        self.recorder.add(self._time, self._x)
+        own = crossed is None or bool(self._own(crossed).any())
+        if own:
+            self.recorder.add(self._time, self._x)
         evaluator.m[:] = wanted
         settle_modes(evaluator, self._time, self._x, self._ahead, crossed)
-        changed = before != evaluator.m
-        self.guard.add(self._time, changed | (wanted != before))
+        changed = self._own(before != evaluator.m)
+        if own:
+            self.guard.add(self._time, changed | self._own(wanted != before))
         if changed.any():
             self.recorder.add(self._time, self._x)
-        assert self.solver is not None
-        self.solver.restart(self._time, self._x)
+        self._restart()
+
+    def _restart(self) -> None:
+        """Starts the solver at the present point, with other states where these have become unfit."""
+        if self.reselection.is_due(self.evaluator) and self.make_solver is not None:
+            self._before = self._work()
+            self.evaluator, self._x = self.reselection(self.evaluator, self._time, self._x)
+            self._operators = operators(self.evaluator.code.system)
+            self.recorder.go_on_with(self.evaluator)
+            self.solver = self.make_solver(self.evaluator)
+        if self.solver is not None:
+            self.solver.restart(self._time, self._x)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.newton import Vector
+from acausal.simulate.matrices import Vector
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,13 @@ class Work:
     steps: int
     rhs_evaluations: int
     jacobian_evaluations: int
+
+    def __add__(self, other: Work) -> Work:
+        return Work(
+            self.steps + other.steps,
+            self.rhs_evaluations + other.rhs_evaluations,
+            self.jacobian_evaluations + other.jacobian_evaluations,
+        )
 
 
 @dataclass(frozen=True)

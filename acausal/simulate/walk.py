@@ -1,4 +1,4 @@
-"""Evaluates a program piece by piece, with a robust solver and exact messages.
+"""Evaluates a program piece by piece, with robust solvers and exact messages.
 
 Slower than the stitched Functions by orders of magnitude, so it runs once at the start, and again when the
 integrator's Functions return something that is not a number: then it names the block or equation.
@@ -9,106 +9,66 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from casadi import Function
 
-from acausal.codegen.program import ExplicitCode, ImplicitCode, Program
+from acausal.codegen.program import ExplicitCode, Program, implicit_code
+from acausal.codegen.segments import Segment
 from acausal.errors import AcausalError, fail
-from acausal.simulate import newton
-from acausal.simulate.messages import at, block_problem, equation_text, leaf_name, values_text
-from acausal.simulate.newton import Vector
-from acausal.symbolic.causal import Assignment, Block, BlockKind
+from acausal.simulate.block_solvers import Walk, singular, solve_block
+from acausal.simulate.call import call
+from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, equation_text, leaf_name, values_text
+from acausal.symbolic.causal import Assignment, Block
 from acausal.symbolic.expressions.expr import Expr, unknown_leaves
 
 
 @dataclass(frozen=True)
-class Walk:
-    """How to walk: `kind` of error to raise, nominal values and first guesses (by text), and the time."""
+class Walked:
+    """The values of all slots, and the blocks that needed a homotopy."""
 
-    kind: type[AcausalError]
-    time: float
-    nominal: dict[Expr, float]
-    guess: dict[str, float]
+    values: Vector
+    continued: tuple[Block, ...] = ()
 
 
-def call(function: Function, *args: Vector) -> list[Vector]:
-    """The outputs as dense arrays (slow; not for the integrator)."""
-    return [np.asarray(out.full(), dtype=float) for out in function.call([np.asarray(a) for a in args])]
-
-
-def walk(program: Program, inputs: Vector, how: Walk) -> Vector:
-    """The values of all slots, given those of the inputs. Raises `how.kind` naming what cannot be computed."""
+def walk(program: Program, inputs: Vector, how: Walk) -> Walked:
+    """All slots' values, given those of the inputs. Raises `how.kind` naming what cannot be computed."""
     slots = program.slots
     values = np.full(len(slots), np.nan)
     values[: len(inputs)] = inputs
+    continued: list[Block] = []
     for code in program.codes:
         known = values[[slots[leaf] for leaf in code.reads]]
         targets = [slots[leaf] for leaf in code.writes]
         if isinstance(code, ExplicitCode):
             values[targets] = call(code.run, known)[0].ravel()
-            if not np.isfinite(values[targets]).all():
-                raise _not_finite(code, values, slots, how)
         else:
-            z = _solve(code, known, how)
+            z, homotopy = solve_block(code, known, how)
             values[targets] = np.concatenate([z, call(code.rest, z, known)[0].ravel()])
-    return values
+            continued += [code.block] if homotopy else []
+        if not np.isfinite(values[targets]).all():
+            raise _not_finite(code.segment, values, slots, how)
+    return Walked(values, tuple(continued))
 
 
-def _solve(code: ImplicitCode, known: Vector, how: Walk) -> Vector:
-    block = code.block
-    nominal = np.array([how.nominal.get(leaf, 1.0) for leaf in block.tearing])
-    start = np.array([how.guess.get(leaf_name(leaf), 0.0) for leaf in block.tearing])
-
-    def system(z: Vector) -> tuple[Vector, Vector]:
-        residual, jacobian = call(code.residual, z, known)
-        return residual.ravel(), jacobian
-
-    if block.kind is BlockKind.LINEAR:
-        start = np.zeros(len(start))
-        dependent = newton.null_rows(system(start)[1], start, nominal)
-        if dependent is not None:
-            raise _singular(block, dependent, how)
-    solution = newton.solve(system, start, nominal)
-    if solution.converged:
-        return solution.z
-    residual, jacobian = system(solution.z)
-    dependent = newton.null_rows(jacobian, solution.z, nominal)
-    if dependent is not None:
-        raise _singular(block, dependent, how)
-    order = np.argsort(-np.abs(np.nan_to_num(solution.scaled, nan=np.inf, posinf=1e300)), kind="stable")
-    guesses = values_text([(leaf, how.guess.get(leaf_name(leaf), 0.0)) for leaf in block.tearing])
-    raise block_problem(
-        how.kind,
-        "simulate.no-solution",
-        "found no solution of a nonlinear block",
-        block,
-        how.time,
-        [int(i) for i in order[:3]],
-        f"the search began at {guesses}: give better start values, or check that a solution exists",
-    )
-
-
-def _singular(block: Block, dependent: tuple[int, ...], how: Walk) -> AcausalError:
-    return block_problem(
-        how.kind,
-        "simulate.singular-block",
-        "a system of equations is singular",
-        block,
-        how.time,
-        dependent,
-        "these equations depend on each other for the present values; look for a missing reference or a zero gain",
-    )
-
-
-def _not_finite(code: ExplicitCode, values: Vector, slots: dict[Expr, int], how: Walk) -> AcausalError:
+def _not_finite(segment: Segment, values: Vector, slots: dict[Expr, int], how: Walk) -> AcausalError:
     """Names the first unknown of the run that is not a number, its equation and the values that went in."""
-    for block in code.segment.blocks:
-        bad = [unknown for unknown in block.unknowns if not np.isfinite(values[slots[unknown]])]
-        if bad and block.kind is BlockKind.LINEAR:
-            return _singular(block, tuple(range(len(block.residuals))), how)
+    for block in segment.blocks:
+        bad = {unknown for unknown in block.unknowns if not np.isfinite(values[slots[unknown]])}
+        if bad and not bad.isdisjoint(block.tearing):
+            return _bad_linear(block, values, slots, how)
         for assignment in block.assignments:
             if assignment.unknown in bad:
                 return not_finite(assignment, values, slots, how)
     raise AssertionError("called with a value that is not finite")
+
+
+def _bad_linear(block: Block, values: Vector, slots: dict[Expr, int], how: Walk) -> AcausalError:
+    """The error of a small linear block: made a piece of its own, it is solved by the robust method."""
+    code = implicit_code(Segment((block,), True), slots, "failed")
+    try:
+        solve_block(code, values[[slots[leaf] for leaf in code.reads]], how)
+    except AcausalError as error:
+        return error
+    return singular(block, tuple(range(len(block.residuals))), how)
 
 
 def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], how: Walk) -> AcausalError:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from acausal.errors import BalanceProblem, fail
+from acausal.errors import BalanceProblem, ReductionProblem, fail
 from acausal.lang.flat import Equation, FlatModel, Variability, Variable
 from acausal.symbolic.alias_classes import Classes, Link, Pinned
 from acausal.symbolic.alias_errors import balanced, no_unknown_left, redundant_link, two_values
 from acausal.symbolic.attributes import representative_key, signed
-from acausal.symbolic.describe import ReductionProblem, base_name, equation_text
+from acausal.symbolic.describe import base_name, equation_text
 from acausal.symbolic.expressions.diff import NotDifferentiable
 from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, der, div, neg, sub, sym
 from acausal.symbolic.expressions.linear import linear_coefficient

@@ -27,21 +27,26 @@ class Structure:
     equations: tuple[Equation, ...]
     unknowns: tuple[Variable, ...]
     incidence: tuple[tuple[Var, ...], ...]
+    differentiated: frozenset[Var]
 
 
 def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[Variable, ...]) -> Structure:
     """The collapsed incidence of (flat equation, left, right); O(nodes)."""
     index = {v.name: Var(i) for i, v in enumerate(unknowns)}
     rows: list[tuple[Var, ...]] = []
+    derived: list[str] = []
     for _, left, right in equations:
         names: dict[str, None] = {}
         for leaf in value_leaves([left, right]):
             if leaf.op == "sym":
                 names[leaf.name] = None
             elif leaf.op == "der":
-                names.update(dict.fromkeys(symbols([leaf])))
+                inner = symbols([leaf])
+                derived += inner
+                names.update(dict.fromkeys(inner))
         rows.append(tuple(index[name] for name in names if name in index))
-    return Structure(tuple(flat for flat, _, _ in equations), unknowns, tuple(rows))
+    differentiated = frozenset(index[name] for name in derived if name in index)
+    return Structure(tuple(flat for flat, _, _ in equations), unknowns, tuple(rows), differentiated)
 
 
 def check_balance(flat: FlatModel) -> None:
@@ -134,13 +139,16 @@ def _hint_over(system: Structure, part: Part) -> str:
 
 
 def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagnostic]:
-    """One diagnostic for each variable of the under-determined part, those in fewest equations first."""
+    """One diagnostic for each variable of the under-determined part, the likeliest culprit first.
+
+    That is a variable in few equations which is not differentiated: its equation was forgotten.
+    """
     occurrences = dict.fromkeys(part.variables, 0)
     for eq in part.equations:
         for var in system.incidence[eq]:
             if var in occurrences:
                 occurrences[var] += 1
-    ordered = sorted(part.variables, key=lambda v: (occurrences[v], v))
+    ordered = sorted(part.variables, key=lambda v: (v in system.differentiated, occurrences[v], v))
     variables = [system.unknowns[v] for v in ordered]
     names = tuple(v.name for v in variables)
     texts = [equation_with_place(system.equations[eq]) for eq in part.equations]

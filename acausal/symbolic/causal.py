@@ -14,10 +14,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from acausal.errors import Span
 from acausal.lang.flat import Assertion, Equation, FlatModel
 from acausal.symbolic.expressions.expr import Expr
+
+if TYPE_CHECKING:
+    from acausal.symbolic.index_reduction import Reduced
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +134,34 @@ class StateChoice:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class StateMonitor:
+    """A choice of states that is good only near the present point: it holds while `relation` is true.
+
+    `constraints` are solved for the variables `solved_for`; any of `alternatives` might do instead.
+    `threshold` is the quality (see `monitors`) at which the relation becomes false.
+    """
+
+    relation: Expr
+    threshold: float
+    constraints: tuple[CausalEquation, ...]
+    solved_for: tuple[str, ...]
+    alternatives: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class DynamicStates:
+    """No choice of states is valid everywhere: what to watch, and what a new choice is made from.
+
+    When the mode of one of `monitors` becomes false, `reselect` gives the system with other states, whose
+    equations, unknowns and parameters are the same.
+    """
+
+    monitors: tuple[StateMonitor, ...]
+    """Their relations are the last of `CausalSystem.zero_crossings`, in this order; no equation holds them."""
+    reduced: Reduced
+
+
 @dataclass(frozen=True)
 class CausalSystem:
     """The causalised model; see the module's text for how it is evaluated."""
@@ -149,6 +181,14 @@ class CausalSystem:
     assertions: tuple[Assertion, ...]
     initial: InitialProblem
     choices: tuple[StateChoice, ...] = ()
+    dynamic: DynamicStates | None = None
+    """None where one choice of states is valid everywhere."""
+
+    @property
+    def events(self) -> tuple[ZeroCrossing, ...]:
+        """The model's own zero crossings, without those that watch the choice of states."""
+        watched = len(self.dynamic.monitors) if self.dynamic is not None else 0
+        return self.zero_crossings[: len(self.zero_crossings) - watched]
 
     @cached_property
     def alias_values(self) -> dict[str, Expr]:

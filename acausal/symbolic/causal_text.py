@@ -23,9 +23,8 @@ def print_causal(system: CausalSystem) -> str:
         _section(
             "initial checks", (f"0 = {to_text(c.value)}{_source(c.equation)}" for c in system.initial.checks)
         ),
-        _section(
-            "zero crossings", (f"{i}: {to_text(z.relation)}" for i, z in enumerate(system.zero_crossings, 1))
-        ),
+        _section("zero crossings", (f"{i}: {to_text(z.relation)}" for i, z in enumerate(system.events, 1))),
+        _section("states chosen anew", _monitors(system)),
         _section("assertions", (f"{to_text(a.condition)}  // {place(a.span)}" for a in system.assertions)),
     )
     return "\n".join(line for section in sections for line in section) + "\n"
@@ -99,8 +98,19 @@ def _assignment(assignment: Assignment) -> str:
 def _source(equation: CausalEquation) -> str:
     """Where the equation stands, and how often it was differentiated."""
     times = equation.differentiations
-    derived = "" if times == 0 else f", differentiated {'once' if times == 1 else f'{times} times'}"
+    often = {0: "", 1: ", differentiated once", 2: ", differentiated twice"}
+    derived = often.get(times, f", differentiated {times} times")
     return f"  // {place(equation.flat.span)}: {equation_text(equation.flat)}{derived}"
+
+
+def _monitors(system: CausalSystem) -> Iterator[str]:
+    """When other states are chosen while the model runs, and among which variables."""
+    for monitor in system.dynamic.monitors if system.dynamic is not None else ():
+        texts = "; ".join(equation_text(constraint.flat) for constraint in monitor.constraints)
+        yield (
+            f"when not {to_text(monitor.relation)}: {', '.join(monitor.alternatives)} instead of "
+            f"{', '.join(monitor.solved_for)}  // solved from {texts}"
+        )
 
 
 def _initial_value(value: InitialValue, system: CausalSystem) -> str:

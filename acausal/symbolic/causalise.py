@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from acausal.errors import Diagnostic
+from acausal.errors import Diagnostic, ReductionProblem
 from acausal.lang.flat import FlatModel
 from acausal.symbolic.alias import NamedDerivative, Simplified, eliminate_aliases
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.blocks import NoCompleteMatching, ordered_blocks, square_system
-from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalSystem
+from acausal.symbolic.causal import (
+    Assignment,
+    Block,
+    BlockKind,
+    CausalSystem,
+    DynamicStates,
+    InitialProblem,
+    StateMonitor,
+    ZeroCrossing,
+)
 from acausal.symbolic.derivative_states import name_derivative_states
-from acausal.symbolic.describe import ReductionProblem, equation_with_place, leaf_texts, listed
+from acausal.symbolic.describe import equation_with_place, leaf_texts, listed
 from acausal.symbolic.events import zero_crossings
 from acausal.symbolic.expressions.expr import der, sym
+from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
 from acausal.symbolic.parameters import parameter_values
 from acausal.symbolic.solving import Profiler
-from acausal.symbolic.state_selection import SelectedStates, select_states
+from acausal.symbolic.state_selection import Point, SelectedStates, select_states, starting_point
 
 
 def causalise(flat: FlatModel) -> CausalSystem:
@@ -28,30 +38,66 @@ def causalise(flat: FlatModel) -> CausalSystem:
     LookupProblem (`parameter.cyclic`) and TypeProblem (`parameter.no-value`, `type.real-equality`).
     """
     check_balance(flat)
-    values = parameter_values(flat)
-    model = eliminate_aliases(flat, values)
+    model = eliminate_aliases(flat, parameter_values(flat))
     reduced = reduce_index(model)
-    reduced, selected = name_derivative_states(reduced, select_states(reduced))
+    return _assembled(reduced, select_states(reduced, starting_point(reduced)), with_initial=True)
+
+
+def choose_states(
+    system: CausalSystem, states: Sequence[str], present: Mapping[str, float]
+) -> SelectedStates:
+    """Other states than `states`, chosen at the `present` values of time, unknowns and parameters.
+
+    Raises ReductionProblem where the constraints became dependent.
+    """
+    assert system.dynamic is not None
+    reduced = system.dynamic.reduced
+    known = {leaf: present[name] for leaf in reduced.leaves if (name := to_text(leaf)) in present}
+    given = {sym(name): present[name] for name in (*system.parameters, "time") if name in present}
+    return select_states(reduced, Point({**known, **given}, tuple(states)))
+
+
+def with_states(system: CausalSystem, chosen: SelectedStates) -> CausalSystem:
+    """`system` with states as `choose_states` gave them, and without initial problem.
+
+    It has the same zero crossings but for the monitors, and determines the same unknowns.
+    """
+    assert system.dynamic is not None
+    return _assembled(system.dynamic.reduced, chosen, with_initial=False)
+
+
+def _assembled(origin: Reduced, selection: SelectedStates, *, with_initial: bool) -> CausalSystem:
+    """The causal system of one selection. Where others may follow, all determine the same derivatives."""
+    reduced, selected = name_derivative_states(origin, selection)
     model = reduced.model
     states = tuple(leaf.name for leaf in selected.states)
-    profiler = Profiler(values, model.flat.by_name)
+    profiler = Profiler(model.values, model.flat.by_name)
     blocks = _running_blocks(reduced, selected, profiler)
-    initial = initial_problem(reduced, states, blocks, profiler)
-    named = [entry for entry in model.named if entry.of in set(states)]
+    choosing = bool(selected.monitors) or not with_initial
+    named = [entry for entry in model.named if choosing or entry.of in states]
+    crossings = zero_crossings(reduced.equations, model.assertions, reduced.chains)
     return CausalSystem(
         flat=model.flat,
-        parameters=values.order,
+        parameters=model.values.order,
         aliases=model.aliases,
         equations=(*reduced.equations, *(entry.equation for entry in named)),
         states=states,
         dummy_derivatives=selected.dummies,
         index=differential_index(model, reduced, blocks, selected),
         blocks=(*blocks, *_derivative_assignments(named)),
-        zero_crossings=zero_crossings(reduced.equations, model.assertions, reduced.chains),
+        zero_crossings=(*crossings, *(_watched(monitor) for monitor in selected.monitors)),
         assertions=model.assertions,
-        initial=initial,
+        initial=initial_problem(reduced, states, blocks, profiler)
+        if with_initial
+        else InitialProblem((), ()),
         choices=selected.choices,
+        dynamic=DynamicStates(selected.monitors, origin) if selected.monitors else None,
     )
+
+
+def _watched(monitor: StateMonitor) -> ZeroCrossing:
+    equation = monitor.constraints[0]
+    return ZeroCrossing(monitor.relation, equation, equation.flat.span)
 
 
 def _running_blocks(reduced: Reduced, selected: SelectedStates, profiler: Profiler) -> tuple[Block, ...]:

@@ -1,7 +1,7 @@
 """States that are derivatives: where `der(x)` is a state itself, it becomes a variable named `der(x)`.
 
-A model that writes `der(der(x))`, or whose constraints are differentiated beyond the derivatives it names, may
-keep both x and der(x) as states. A state is a variable, so such a derivative gets one; no Modelica name has
+A model that writes `der(der(x))`, or whose constraints need more derivatives than it names, may keep both x
+and der(x) as states. A state is a variable, so such a derivative gets one; no Modelica name has
 parentheses, so the name is free. The causal system then says `der(x) := 'der(x)'` as for every derivative
 that an equation of the model names.
 """
@@ -59,6 +59,7 @@ def name_derivative_states(reduced: Reduced, selected: SelectedStates) -> tuple[
         selected,
         states=tuple(rewrite(leaf) for leaf in selected.states),
         dummies=tuple(rewrite(leaf) for leaf in selected.dummies),
+        monitors=tuple(replace(m, relation=rewrite(m.relation)) for m in selected.monitors),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from acausal.errors import AcausalError, Span
+from acausal.errors import Span
 from acausal.lang.flat import Equation, Origin
 from acausal.symbolic.causal import CausalEquation
 from acausal.symbolic.expressions.expr import Expr
@@ -12,10 +12,6 @@ from acausal.symbolic.expressions.text import to_text
 
 SHOWN = 5
 """How many names or equations a message lists before it says `and N more`."""
-
-
-class ReductionProblem(AcausalError):
-    """Index reduction or state selection fails: a jump in a prescribed quantity, redundant constraints."""
 
 
 def equation_text(equation: Equation | CausalEquation) -> str:

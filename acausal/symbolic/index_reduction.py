@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from acausal.errors import fail
+from acausal.errors import ReductionProblem, fail
 from acausal.lang.flat import StateSelect, Variability
 from acausal.symbolic.alias import Simplified
 from acausal.symbolic.alias_search import not_differentiable
 from acausal.symbolic.balance import require_complete, structure
 from acausal.symbolic.causal import CausalEquation
-from acausal.symbolic.describe import ReductionProblem, base_name, equation_with_place, listed
+from acausal.symbolic.describe import base_name, equation_with_place, listed
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.expr import ZERO, Expr, der, sym
 from acausal.symbolic.graphs.dulmage_mendelsohn import StructurallySingular

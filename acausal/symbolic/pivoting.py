@@ -28,24 +28,26 @@ _NEGLIGIBLE = 1e-10
 """Relative to the column's largest entry: below, an entry after elimination counts as zero."""
 
 
-def independent_columns(columns: Sequence[Column], groups: Sequence[Sequence[int]], n_rows: int) -> list[int]:
-    """Indices of `n_rows` independent columns (fewer if there are no more), in the order chosen.
+def independent_columns(
+    columns: Sequence[Column], groups: Sequence[Sequence[int]], n_rows: int, *, sound_first: bool = False
+) -> list[tuple[int, int]]:
+    """`n_rows` independent columns (fewer if there are no more) in the order chosen, each with its pivot row.
 
     `groups` lists the columns, cheapest group first and cheapest column first within a group. Within a group
     columns with a constant pivot go first, so that the choice is valid for every state wherever one such
-    choice exists greedily; then columns whose pivot is not small in its row; then the rest. Cost: that of
-    sparse elimination of the columns tried.
+    choice exists greedily; then columns whose pivot is not small in its row; then the rest. With
+    `sound_first`, small pivots of any group come after all others: groups matter less than soundness. Cost:
+    that of sparse elimination of the columns tried.
     """
     elimination = _Elimination(columns)
-    for group in groups:
-        left = list(group)
-        for demand in (_Demand.CONSTANT, _Demand.LARGE, _Demand.ANY):
-            left = [
-                column
-                for column in left
-                if len(elimination.chosen) < n_rows and not elimination.accept(column, demand)
-            ]
-    return elimination.chosen
+    left = [list(group) for group in groups]
+    for at, demand in _passes(len(groups), sound_first):
+        left[at] = [
+            column
+            for column in left[at]
+            if len(elimination.chosen) < n_rows and not elimination.accept(column, demand)
+        ]
+    return list(zip(elimination.chosen, elimination.pivot_rows, strict=True))
 
 
 class _Demand(Enum):
@@ -56,7 +58,18 @@ class _Demand(Enum):
     ANY = "any"
 
 
-_LARGE = 0.3
+def _passes(groups: int, sound_first: bool) -> list[tuple[int, _Demand]]:
+    """Which group is looked at with which demand, in order."""
+    sound = (_Demand.CONSTANT, _Demand.LARGE)
+    if sound_first:
+        return [
+            *((at, demand) for at in range(groups) for demand in sound),
+            *((at, _Demand.ANY) for at in range(groups)),
+        ]
+    return [(at, demand) for at in range(groups) for demand in (*sound, _Demand.ANY)]
+
+
+_LARGE = 0.5
 """A pivot is large if it is at least this times the largest entry of its row."""
 
 
@@ -67,7 +80,7 @@ class _Elimination:
         self.chosen: list[int] = []
         self._columns = columns
         self._step_of_row: dict[int, int] = {}
-        self._pivot_rows: list[int] = []
+        self.pivot_rows: list[int] = []
         self._multipliers: list[dict[int, Entry]] = []
         self._row_largest: dict[int, float] = {}
         for column in columns:
@@ -87,7 +100,7 @@ class _Elimination:
         row = -max(candidates)[2]
         pivot = reduced.pop(row)
         self._step_of_row[row] = len(self.chosen)
-        self._pivot_rows.append(row)
+        self.pivot_rows.append(row)
         self._multipliers.append(
             {r: Entry(e.value / pivot.value, e.constant and pivot.constant) for r, e in reduced.items()}
         )
@@ -111,7 +124,7 @@ class _Elimination:
             if step == done:
                 continue
             done = step
-            factor = work.pop(self._pivot_rows[step])
+            factor = work.pop(self.pivot_rows[step])
             for row, multiplier in self._multipliers[step].items():
                 old = work.get(row)
                 if old is None and row in self._step_of_row:

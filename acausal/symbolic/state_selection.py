@@ -1,14 +1,8 @@
-"""State selection by dummy derivatives, with numeric pivoting at the start values.
+"""State selection by dummy derivatives, with numeric pivoting at a point.
 
-Mattsson and Soederlind, "Index reduction in differential-algebraic equations using dummy derivatives", SIAM J.
-Sci. Comput. 14 (1993): for every differentiated equation one derivative becomes a dummy, an algebraic unknown;
-the variable below it is no state. They choose within the blocks of the highest derivatives; here the choice is
-among all derivatives that a connected set of constraints holds, which allows more: with m = rho(p)*V either
-the mass or the pressure can be the state, though der(m) follows from the flows alone. It is enough that on
-every level the constraints can be solved for the chosen variables, since their derivatives are unknown anyway.
-
-Those become dummies that are worth least as states, as long as the constraints can be solved for them
-(`pivoting`). Worth, the first difference deciding:
+`graphs.dummy_derivatives` says which choices there are; here the choice is made. Those become dummies that
+are worth least as states, as long as the constraints can be solved for them (`pivoting`). Worth, the first
+difference deciding:
 
 1. `stateSelect`: always, prefer, default, avoid, never;
 2. a choice that is valid everywhere (constant pivots) goes before one that depends on the state;
@@ -17,26 +11,48 @@ Those become dummies that are worth least as states, as long as the constraints 
 
 A speed and its angle count together. The Jacobian is evaluated at start values; where none is given, at a
 number that depends only on the variable's position, so that a default start of zero does not hide a
-coefficient.
+coefficient. Columns count in nominal values.
+
+Where a choice depends on the state, `SelectedStates.monitors` says what to watch. When it has become bad,
+`select_states` is asked again at the present point: then what is a dummy stays one where that is sound, and
+soundness goes before `stateSelect`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 
-from acausal.errors import Diagnostic, fail
-from acausal.lang.flat import StateSelect, Variable
-from acausal.symbolic.causal import CausalEquation, StateChoice
-from acausal.symbolic.describe import ReductionProblem, base_name, dots, equation_with_place, listed
+from acausal.errors import ReductionProblem, fail
+from acausal.symbolic.causal import CausalEquation, StateChoice, StateMonitor
+from acausal.symbolic.describe import base_name, equation_with_place, listed
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import TIME, Constant, Expr, sub
+from acausal.symbolic.expressions.expr import ONE, TIME, Constant, Expr, const, mul, sub
 from acausal.symbolic.expressions.linear import slopes
 from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.graphs.dummy_derivatives import select_dummies
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.index_reduction import Reduced
 from acausal.symbolic.leaves import all_leaves
+from acausal.symbolic.monitors import Row, state_monitors
 from acausal.symbolic.pivoting import Column, Entry, independent_columns
+from acausal.symbolic.state_choices import (
+    Decision,
+    Worth,
+    check_always,
+    explain_states,
+    integral_of,
+    integrals,
+    worth,
+)
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where a choice is made: values of leaves and, unless it is the first choice, the states so far."""
+
+    values: Mapping[Expr, Constant]
+    states: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -46,55 +62,42 @@ class SelectedStates:
     states: tuple[Expr, ...]
     dummies: tuple[Expr, ...]
     choices: tuple[StateChoice, ...]
+    monitors: tuple[StateMonitor, ...] = ()
 
 
-def select_states(reduced: Reduced) -> SelectedStates:
+def select_states(reduced: Reduced, point: Point) -> SelectedStates:
     """Choose states and dummy derivatives; near-linear for local constraints.
 
     Raises ReductionProblem `reduction.redundant-constraints` where differentiated constraints are dependent,
     and `states.always-impossible` where a variable with `stateSelect = always` cannot be a state.
     """
-    chooser = _Chooser(reduced)
-    dummies: set[Var] = set()
-    for equations in _constraint_sets(reduced):
-        dummies.update(chooser.dummies(equations))
-    higher = reduced.reduction.derivative_of
-    states = tuple(
-        leaf
-        for leaf, high in zip(reduced.leaves, higher, strict=True)
-        if high is not None and high not in dummies
-    )
-    _check_always(reduced, states, chooser)
+    chooser = _Chooser(reduced, point)
+    selection = select_dummies(reduced.reduction, chooser.choose)
+    states = tuple(reduced.leaves[var] for var in selection.states)
+    check_always(reduced, states, chooser.decisions)
     return SelectedStates(
         _in_order(reduced, states),
-        tuple(leaf for i, leaf in enumerate(reduced.leaves) if Var(i) in dummies),
-        _explain(reduced, states, chooser),
+        tuple(reduced.leaves[var] for var in selection.dummies),
+        explain_states(reduced, states, chooser.decisions),
+        tuple({monitor.relation: monitor for monitor in chooser.monitors}.values()),
     )
 
 
-def _constraint_sets(reduced: Reduced) -> list[list[Eq]]:
-    """The highest differentiated equations, those together that share highest derivatives; ascending."""
-    reduction = reduced.reduction
-    original = len(reduction.differentiations)
-    derived = [
-        Eq(i) for i in range(original, len(reduction.incidence)) if reduction.equation_derivative[i] is None
-    ]
-    parent = {eq: eq for eq in derived}
+def starting_point(reduced: Reduced) -> Point:
+    """The start time, and start values as far as the model gives them."""
+    values = reduced.model.values
+    known: dict[Expr, Constant] = {TIME: reduced.model.flat.experiment.start_time or 0.0}
+    by_name = reduced.model.flat.by_name
+    for position, leaf in enumerate(reduced.leaves):
+        variable = by_name.get(leaf.name) if leaf.op == "sym" else None
+        start = None if variable is None or variable.start is None else values.constant(variable.start)
+        known[leaf] = _pseudo(position) if start is None else start
+    return Point(known)
 
-    def find(eq: Eq) -> Eq:
-        while parent[eq] != eq:
-            parent[eq] = eq = parent[parent[eq]]
-        return eq
 
-    first: dict[Var, Eq] = {}
-    for eq in derived:
-        for var in reduction.incidence[eq]:
-            if reduction.derivative_of[var] is None:
-                parent[find(eq)] = find(first.setdefault(var, eq))
-    sets: dict[Eq, list[Eq]] = {}
-    for eq in derived:
-        sets.setdefault(find(eq), []).append(eq)
-    return list(sets.values())
+def _pseudo(position: int) -> float:
+    """A number between 0.3 and 0.9 that differs from variable to variable (multiples of the golden ratio)."""
+    return 0.3 + 0.6 * ((position + 1) * 0.6180339887498949 % 1.0)
 
 
 def _in_order(reduced: Reduced, states: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -103,114 +106,106 @@ def _in_order(reduced: Reduced, states: tuple[Expr, ...]) -> tuple[Expr, ...]:
     return tuple(sorted(states, key=lambda leaf: position[base_name(leaf)]))
 
 
-Worth = tuple[int, bool, bool, int]
-"""stateSelect, fixed, with a start value, minus the number of dots: larger is better as a state."""
-
-
-def worth(chain: Sequence[Expr], reduced: Reduced) -> Worth:
-    """How much a variable and its integrals (a speed and its angle) are worth as states.
-
-    What is given for any of them counts: the highest stateSelect above default, else the lowest.
-    """
-    variables = [
-        variable
-        for leaf in chain
-        if leaf.op == "sym" and (variable := reduced.model.flat.by_name.get(leaf.name)) is not None
-    ]
-    selects = [v.state_select for v in variables]
-    highest = max(selects, default=StateSelect.DEFAULT)
-    select = highest if highest > StateSelect.DEFAULT else min(selects, default=StateSelect.DEFAULT)
-    fixed = any(v.fixed is True for v in variables)
-    start = any(v.start is not None for v in variables)
-    return select, fixed, start, -dots(base_name(chain[-1]))
-
-
 class _Chooser:
-    """Picks dummies for one block after another and remembers why."""
+    """Picks dummies for one constraint set and level after another, and remembers why."""
 
-    def __init__(self, reduced: Reduced) -> None:
+    def __init__(self, reduced: Reduced, point: Point) -> None:
         self.reduced = reduced
-        self.decisions: dict[Expr, tuple[tuple[Expr, ...], tuple[CausalEquation, ...]]] = {}
-        """Per dummy: the leaves it competed with, and the constraints."""
-        derivatives = reduced.reduction.equation_derivative
-        self._integral = {d: i for i, d in enumerate(reduced.reduction.derivative_of) if d is not None}
-        self._eq_integral = {d: Eq(i) for i, d in enumerate(derivatives) if d is not None}
-        self._values = _start_values(reduced)
-        self._memo: dict[Expr, Constant] = {}
+        self.decisions: dict[Expr, Decision] = {}
+        """Per variable that is no state."""
+        self.monitors: list[StateMonitor] = []
+        self._integral = integral_of(reduced)
+        self._states = None if point.states is None else frozenset(point.states)
+        self._memo: dict[Expr, Constant] = dict(point.values)
         self._slopes: dict[Eq, dict[Expr, Expr | None]] = {}
 
-    def dummies(self, equations: list[Eq]) -> list[Var]:
-        """The dummies of one set of constraints, from its highest level of differentiation down."""
-        reduction = self.reduced.reduction
-        held = {var: None for eq in equations for var in reduction.incidence[eq]}
-        candidates = [var for var in held if reduction.derivative_of[var] is None]
-        dummies: list[Var] = []
-        while equations:
-            candidates = sorted(candidates)
-            chosen = self._choose(equations, candidates)
-            dummies += chosen
-            lower = (self._eq_integral.get(eq) for eq in equations)
-            equations = sorted(eq for eq in lower if eq is not None and eq in self._eq_integral)
-            candidates = [Var(self._integral[var]) for var in chosen]
-        return dummies
-
-    def _choose(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> list[Var]:
+    def choose(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> list[Var]:
         """Of the candidates as many as equations, so that the equations can be solved for them."""
-        picked = independent_columns(
-            self._columns(equations, candidates), self._groups(candidates), len(equations)
-        )
+        columns, groups = self._columns(equations, candidates), self._groups(candidates)
+        again = self._states is not None
+        picked = independent_columns(columns, groups, len(equations), sound_first=again)
         if len(picked) < len(equations):
-            raise self._dependent(equations)
-        chosen = sorted(candidates[i] for i in picked)
-        self._remember(equations, candidates, chosen)
-        return chosen
-
-    def chain(self, var: int) -> list[Expr]:
-        """A variable's leaf and those of its integrals."""
-        chain = [self.reduced.leaves[var]]
-        while (lower := self._integral.get(Var(var))) is not None:
-            chain.append(self.reduced.leaves[lower])
-            var = lower
-        return chain
+            raise self._dependent([equations[row] for row in self._rows_without(equations, picked)])
+        pivots = {candidates[column]: equations[row] for column, row in picked}
+        self._remember(pivots)
+        self._watch(pivots)
+        return sorted(pivots)
 
     def _groups(self, candidates: Sequence[Var]) -> list[list[int]]:
         """Candidates from least to most worth as states, in groups of equal stateSelect."""
-        keys = [worth(self.chain(self._integral[var]), self.reduced) for var in candidates]
-        order = sorted(range(len(keys)), key=lambda i: (*keys[i], -candidates[i]))
+        keys = [self._worth(var) for var in candidates]
+        order = sorted(
+            range(len(keys)), key=lambda i: (self._is_state(candidates[i]), *keys[i], -candidates[i])
+        )
         groups: dict[int, list[int]] = {}
         for i in order:
             groups.setdefault(keys[i][0], []).append(i)
-        return list(groups.values())
+        return [groups[select] for select in sorted(groups)]
+
+    def _is_state(self, var: Var) -> bool:
+        """Whether the variable below is a state so far."""
+        return self._states is not None and to_text(self.reduced.leaves[self._integral[var]]) in self._states
+
+    def _worth(self, var: Var) -> Worth:
+        """What is lost if `var` becomes a dummy."""
+        return worth(integrals(self._integral[var], self._integral, self.reduced), self.reduced)
 
     def _columns(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> list[Column]:
         columns: list[dict[int, Entry]] = [{} for _ in candidates]
-        position = {self.reduced.leaves[var]: i for i, var in enumerate(candidates)}
+        position = {var: i for i, var in enumerate(candidates)}
         for row, eq in enumerate(equations):
-            for leaf, coefficient in self._equation_slopes(eq).items():
-                if leaf in position and coefficient is not None:
-                    entry = self._entry(coefficient)
-                    if entry.value != 0:
-                        columns[position[leaf]][row] = entry
+            for var, coefficient in self._coefficients(eq, position).items():
+                entry = self._entry(coefficient)
+                if entry.value != 0:
+                    columns[position[var]][row] = entry
         return list(columns)
 
-    def _equation_slopes(self, eq: Eq) -> dict[Expr, Expr | None]:
+    def _coefficients(self, eq: Eq, wanted: Container[Var]) -> dict[Var, Expr]:
+        """Coefficients of the `wanted` variables in an equation, in nominal values of the variables."""
         if eq not in self._slopes:
-            equation = self.reduced.equations[eq]
-            self._slopes[eq] = residual_slopes(equation)
-        return self._slopes[eq]
+            self._slopes[eq] = residual_slopes(self.reduced.equations[eq])
+        found: dict[Var, Expr] = {}
+        for var in self.reduced.reduction.incidence[eq]:
+            coefficient = self._slopes[eq].get(self.reduced.leaves[var]) if var in wanted else None
+            if coefficient is not None:
+                found[var] = mul(self._nominal(var), coefficient)
+        return found
+
+    def _nominal(self, var: Var) -> Expr:
+        """The nominal value of the lowest integral, which all its derivatives are taken to share."""
+        variable = self.reduced.model.flat.by_name[base_name(self._chain(var)[-1])]
+        number = None if variable.nominal is None else self.reduced.model.values.number(variable.nominal)
+        return const(abs(number)) if number else ONE
+
+    def _chain(self, var: Var) -> list[Expr]:
+        return integrals(var, self._integral, self.reduced)
 
     def _entry(self, coefficient: Expr) -> Entry:
-        number = self.reduced.model.values.number(coefficient)
-        if number is not None:
-            return Entry(number, True)
-        for leaf in all_leaves([coefficient]):
-            if leaf not in self._memo:
-                self._memo[leaf] = self._values.get(leaf, _pseudo(len(self._memo)))
+        constant = self.reduced.model.values.number(coefficient)
+        if constant is not None:
+            return Entry(constant, True)
+        value = self._number(coefficient)
+        return Entry(1.0 if value is None else value, False)
+
+    def _number(self, expr: Expr) -> float | None:
+        """The value at the point; None where it cannot be computed there."""
+        lookup = self.reduced.model.values.lookup
+        for leaf in all_leaves([expr]):
+            if leaf not in self._memo and (leaf.op != "sym" or lookup(leaf.name) is None):
+                self._memo[leaf] = _pseudo(len(self._memo))
         try:
-            value = evaluate(coefficient, self.reduced.model.values.lookup, self._memo)
+            value = evaluate(expr, lookup, self._memo)
         except (EvaluationFailed, NotConstant):
-            return Entry(1.0, False)
-        return Entry(float(value) if isinstance(value, int | float) else 1.0, False)
+            return None
+        return float(value) if isinstance(value, int | float) else None
+
+    def _rows_without(self, equations: Sequence[Eq], picked: list[tuple[int, int]]) -> list[int]:
+        """The dependent rows: those without pivot, and the constraints that share variables with them."""
+        incidence = self.reduced.reduction.incidence
+        pivoted = {row for _, row in picked}
+        free = [row for row in range(len(equations)) if row not in pivoted]
+        held = {var for row in free for var in incidence[equations[row]]}
+        return [*free, *(row for row in sorted(pivoted) if not held.isdisjoint(incidence[equations[row]]))]
 
     def _dependent(self, equations: Sequence[Eq]) -> ReductionProblem:
         involved = [self.reduced.equations[eq] for eq in equations]
@@ -218,7 +213,7 @@ class _Chooser:
             base_name(leaf) for e in involved for leaf in all_leaves([e.flat.left, e.flat.right])
         )
         texts = dict.fromkeys(equation_with_place(e.flat) for e in involved)
-        error = fail(
+        return fail(
             ReductionProblem,
             "reduction.redundant-constraints",
             f"these constraints are not independent: {listed(list(texts))}",
@@ -227,123 +222,48 @@ class _Chooser:
             hint="one of them follows from the others (a closed loop of rigid connections?): remove it, "
             "or make one connection elastic",
         )
-        return ReductionProblem(error.diagnostics)
 
-    def _remember(self, equations: Sequence[Eq], candidates: Sequence[Var], chosen: Sequence[Var]) -> None:
-        leaves = self.reduced.leaves
-        competitors = tuple(leaves[self._integral[v]] for v in candidates if v not in set(chosen))
-        constraints = tuple(self.reduced.equations[eq] for eq in equations)
-        for var in chosen:
-            self.decisions.setdefault(leaves[self._integral[var]], (competitors, constraints))
+    def _remember(self, pivots: dict[Var, Eq]) -> None:
+        """Note for every new dummy the constraint that gives the variable below it, and what it needs."""
+        leaves, integral = self.reduced.leaves, self._integral
+        for var, eq in pivots.items():
+            kept = [other for other in self._same_level(eq) if other not in pivots and other in integral]
+            needed = tuple(leaves[integral[other]] for other in kept)
+            decision = Decision(needed, self.reduced.equations[eq])
+            self.decisions.setdefault(leaves[integral[var]], decision)
+
+    def _watch(self, pivots: dict[Var, Eq]) -> None:
+        """Note where the choice of one set and level is good only near the point."""
+        rows = [
+            Row(
+                self.reduced.equations[eq],
+                {
+                    self._below(v): a
+                    for v, a in self._coefficients(eq, frozenset(self._same_level(eq))).items()
+                },
+                self._below(var),
+            )
+            for var, eq in pivots.items()
+        ]
+        number = self.reduced.model.values.number
+        self.monitors += state_monitors(rows, lambda a: number(a) is not None, self._number)
+
+    def _below(self, var: Var) -> str:
+        """The variable that is a state unless `var` is a dummy."""
+        return to_text(self.reduced.leaves[self._integral[var]])
+
+    def _same_level(self, eq: Eq) -> list[Var]:
+        """The variables of a constraint, as often integrated as it is from its highest derivative."""
+        reduction = self.reduced.reduction
+        steps = 0
+        while (higher := reduction.equation_derivative[eq]) is not None:
+            eq, steps = higher, steps + 1
+        variables = [var for var in reduction.incidence[eq] if reduction.derivative_of[var] is None]
+        for _ in range(steps):
+            variables = [self._integral[var] for var in variables if var in self._integral]
+        return variables
 
 
 def residual_slopes(equation: CausalEquation) -> dict[Expr, Expr | None]:
     """Coefficients of `left - right` (see `linear.slopes`)."""
     return slopes(sub(equation.left, equation.right))
-
-
-def _pseudo(position: int) -> float:
-    """A number between 0.3 and 0.9 that differs from variable to variable (multiples of the golden ratio)."""
-    return 0.3 + 0.6 * ((position + 1) * 0.6180339887498949 % 1.0)
-
-
-def _start_values(reduced: Reduced) -> dict[Expr, Constant]:
-    """Leaves with a given start value, and the start time."""
-    values = reduced.model.values
-    known: dict[Expr, Constant] = {TIME: reduced.model.flat.experiment.start_time or 0.0}
-    by_name = reduced.model.flat.by_name
-    for position, leaf in enumerate(reduced.leaves):
-        variable = by_name.get(leaf.name) if leaf.op == "sym" else None
-        start = None if variable is None or variable.start is None else values.constant(variable.start)
-        known[leaf] = _pseudo(position) if start is None else start
-    return known
-
-
-def _check_always(reduced: Reduced, states: tuple[Expr, ...], chooser: _Chooser) -> None:
-    chosen = {to_text(leaf) for leaf in states}
-    members = {a.name: a for a in reduced.model.aliases}
-    problems: list[Diagnostic] = []
-    for variable in reduced.model.flat.variables:
-        if (
-            variable.state_select is not StateSelect.ALWAYS
-            or variable.name in chosen
-            or not variable.is_unknown
-        ):
-            continue
-        alias = members.get(variable.name)
-        if alias is not None and alias.value.op != "const" and _is_signed_state(alias.value, chosen):
-            continue
-        problems.append(_always_impossible(variable, reduced, chooser))
-    if problems:
-        raise ReductionProblem(problems)
-
-
-def _is_signed_state(value: Expr, states: set[str]) -> bool:
-    inner = value.args[0] if value.op == "neg" else value
-    return inner.op == "sym" and inner.name in states
-
-
-def _always_impossible(variable: Variable, reduced: Reduced, chooser: _Chooser) -> Diagnostic:
-    decision = next((d for leaf, d in chooser.decisions.items() if to_text(leaf) == variable.name), None)
-    alias = next((a for a in reduced.model.aliases if a.name == variable.name), None)
-    if alias is not None:
-        because = f"it equals {to_text(alias.value)} by {equation_with_place(alias.equation)}"
-    elif decision is not None:
-        because = "it is constrained by " + listed([equation_with_place(e.flat) for e in decision[1]])
-    else:
-        because = "the equations determine it at every instant"
-    return Diagnostic(
-        "states.always-impossible",
-        f"'{variable.name}' has stateSelect = StateSelect.always but cannot be a state: {because}",
-        variable.span,
-        (variable.name,),
-        "use StateSelect.prefer, or remove the constraint",
-    )
-
-
-def _explain(reduced: Reduced, states: tuple[Expr, ...], chooser: _Chooser) -> tuple[StateChoice, ...]:
-    chosen = {to_text(leaf): None for leaf in states}
-    result: list[StateChoice] = []
-    rivals: dict[str, list[str]] = {}
-    for leaf, (competitors, _) in chooser.decisions.items():
-        for other in competitors:
-            rivals.setdefault(to_text(other), []).append(to_text(leaf))
-    aliases = {a.name: a for a in reduced.model.aliases}
-    for i, higher in enumerate(reduced.reduction.derivative_of):
-        if higher is not None:
-            name = to_text(reduced.leaves[i])
-            reason = _reason(reduced, i, chosen, chooser, rivals)
-            result.append(StateChoice(name, name in chosen, reason))
-    for name in reduced.model.constrained:
-        alias = aliases[name]
-        reason = f"equals {to_text(alias.value)} by {equation_with_place(alias.equation)}"
-        result.append(StateChoice(name, False, reason))
-    return tuple(result)
-
-
-def _reason(
-    reduced: Reduced, i: int, states: dict[str, None], chooser: _Chooser, rivals: dict[str, list[str]]
-) -> str:
-    leaf = reduced.leaves[i]
-    name = to_text(leaf)
-    select, fixed, start, _ = worth(chooser.chain(i), reduced)
-    if name in states:
-        if name not in rivals:
-            return "its derivative appears, and no constraint holds it"
-        why = (
-            f"stateSelect = {StateSelect(select).literal}"
-            if select != StateSelect.DEFAULT
-            else "a fixed start value"
-            if fixed
-            else "a start value"
-            if start
-            else "its place in the model"
-        )
-        return f"kept over {listed(rivals[name])} for {why}"
-    if leaf in chooser.decisions:
-        competitors, constraints = chooser.decisions[leaf]
-        by = listed([equation_with_place(e.flat) for e in constraints])
-        if competitors:
-            return f"follows from {listed([to_text(c) for c in competitors])} through {by}"
-        return f"fixed by {by}"
-    return "the constraints determine it"

@@ -60,7 +60,7 @@ def hand_system(
     checks: Sequence[Residual] = (),
     experiment: Experiment | None = None,
 ) -> CausalSystem:
-    """A system whose states start at the given values (`fixed`), and whose initial blocks end with `blocks`."""
+    """A system whose states start at the given values; `blocks` follow in the initial problem too."""
     nominals, declared = nominal or {}, units or {}
     unknowns = [u.name for block in blocks for u in block.unknowns if u.op == "sym"]
     names = [*states, *unknowns, *(name for name, _ in aliases)]
@@ -83,8 +83,14 @@ def hand_system(
     ]
     equations = [item.equation for block in blocks for item in (*block.assignments, *block.residuals)]
     flat = FlatModel(
-        "Hand", "", tuple(variables), tuple(e.flat for e in equations), (), tuple(assertions),
-        experiment or Experiment(), SPAN,
+        "Hand",
+        "",
+        tuple(variables),
+        tuple(e.flat for e in equations),
+        (),
+        tuple(assertions),
+        experiment or Experiment(),
+        SPAN,
     )
     starts = [explicit(sym(name), const(value)) for name, value in states.items()]
     values = [InitialValue(name, const(value), "fixed") for name, value in states.items()]

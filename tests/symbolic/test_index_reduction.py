@@ -7,11 +7,10 @@ from itertools import permutations
 
 import pytest
 
-from acausal.errors import AcausalError
+from acausal.errors import AcausalError, ReductionProblem
 from acausal.lang.flat import StateSelect
 from acausal.symbolic.causal import BlockKind, CausalSystem
 from acausal.symbolic.causalise import causalise
-from acausal.symbolic.describe import ReductionProblem
 from acausal.symbolic.expressions.text import to_text
 from tests.symbolic.build import PENDULUM, PENDULUM_PARAMETERS, Attributes, model, pendulum
 from tests.symbolic.numeric import initialise, run
@@ -100,8 +99,7 @@ def test_pantelides_second_example() -> None:
 
 
 def test_mattsson_soederlind_linear_example() -> None:
-    """Mattsson and Soederlind 1993, example 2: x1 + x2 + u1 = 0, x1 + x2 + x3 + u2 = 0, x1 + x3' + x4 + u3 = 0,
-    2 x1'' + x2'' + x3'' + x4' + u4 = 0."""
+    """Mattsson and Soederlind 1993, the linear example with four equations; 2 degrees of freedom remain."""
     system = causalise(
         model(
             "x1 + x2 + sin(time) = 0",
@@ -110,7 +108,7 @@ def test_mattsson_soederlind_linear_example() -> None:
             "2*der(der(x1)) + der(der(x2)) + der(der(x3)) + der(x4) + 2 = 0",
         )
     )
-    assert len(system.states) == 2 - 1 + 1 - 1 + 0 or len(system.states) >= 1
+    assert (system.index, len(system.states)) == (3, 2)
     values = run(system, dict.fromkeys(system.states, 0.3), time=0.8)
     t = 0.8
     assert values["x3"] == pytest.approx(math.sin(t) - math.cos(t))
@@ -276,9 +274,9 @@ def test_constant_coefficients_are_pivots_before_varying_ones() -> None:
         "m*der(v) = f",
         "s = r*sin(phi)",
     )
-    for variables in ({}, {"s": Attributes(start=0.3)}):
+    for variables in (None, {"s": Attributes(start=0.3)}):
         system = causalise(model(*equations, variables=variables, parameters={"j": 1.0, "m": 1.0, "r": 0.5}))
-        assert system.states == (("phi", "w") if not variables else ("phi", "w"))
+        assert system.states == ("phi", "w")
     wished = causalise(
         model(
             *equations,
@@ -330,7 +328,8 @@ def test_redundant_constraints_are_named() -> None:
 
 def test_derivatives_of_expressions_are_expanded() -> None:
     system = causalise(model("der(rho*V) = q", "V = 2 + x", "der(x) = 1", "q = -rho"))
-    values = run(system, {"rho": 3.0, "x": 1.0} if "rho" in system.states else {})
+    assert system.states == ("rho", "V")
+    values = run(system, {"rho": 3.0, "V": 3.0})
     assert values["der(rho)"] * 3 + 3.0 * 1.0 == pytest.approx(-3.0)
     assert causalise(model("y = der(2*time + p)", "der(x) = y", parameters={"p": 1.0})).states == ("x",)
 

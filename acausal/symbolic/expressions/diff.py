@@ -106,16 +106,19 @@ def _if(node: Expr, d: list[Expr]) -> Expr:
     return if_then_else(node.args[0], d[1], d[2])
 
 
+# abs, min and max generate no events (Modelica 3.6, 3.7.2), so their derivatives must not either.
+
+
 def _abs(node: Expr, d: list[Expr]) -> Expr:
-    return if_then_else(relation("ge", node.args[0], ZERO), d[0], neg(d[0]))
+    return no_event(if_then_else(relation("ge", node.args[0], ZERO), d[0], neg(d[0])))
 
 
 def _min(node: Expr, d: list[Expr]) -> Expr:
-    return if_then_else(relation("lt", *node.args), d[0], d[1])
+    return no_event(if_then_else(relation("lt", *node.args), d[0], d[1]))
 
 
 def _max(node: Expr, d: list[Expr]) -> Expr:
-    return if_then_else(relation("gt", *node.args), d[0], d[1])
+    return no_event(if_then_else(relation("gt", *node.args), d[0], d[1]))
 
 
 def _mod(node: Expr, d: list[Expr]) -> Expr:

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
+LARGEST_INTEGER = 2**63
 Shape = Literal["leaf", "nary", "binary", "unary", "relation", "logical", "if", "wrap", "function", "call"]
 
 
@@ -36,7 +37,7 @@ def _divide(a: float, b: float) -> float:
 
 
 def _power(a: float, b: float) -> float:
-    result = a**b
+    result = float(a) ** float(b)
     if isinstance(result, complex):
         raise ValueError(f"{a} to the power {b} is not a real number")
     return float(result)
@@ -46,14 +47,45 @@ def _sum(*args: float) -> float:
     total = args[0]
     for arg in args[1:]:
         total = total + arg
-    return total
+    return _bounded(total)
 
 
 def _product(*args: float) -> float:
     total = args[0]
     for arg in args[1:]:
-        total = total * arg
+        total = _bounded(total * arg)
     return total
+
+
+def _bounded(value: float) -> float:
+    """Integers beyond 64 bits are an error: they would grow without end."""
+    if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
+        raise OverflowError("an Integer is larger than 64 bits")
+    return value
+
+
+def _same(a: float) -> float:
+    return a
+
+
+def _if(condition: bool, a: object, b: object) -> object:
+    return a if condition else b
+
+
+def _any(*args: bool) -> bool:
+    return any(args)
+
+
+def _all(*args: bool) -> bool:
+    return all(args)
+
+
+def _floor(a: float) -> float:
+    return float(math.floor(a))
+
+
+def _ceil(a: float) -> float:
+    return float(math.ceil(a))
 
 
 def _sign(a: float) -> int:
@@ -84,12 +116,12 @@ _TABLE = (
     Operator("sym", "leaf", 0, "", 100),
     Operator("der", "wrap", 1, "der", 100),
     Operator("pre", "wrap", 1, "pre", 100),
-    Operator("noEvent", "wrap", 1, "noEvent", 100, lambda a: a),
-    Operator("smooth", "wrap", 1, "smooth", 100, lambda a: a),
+    Operator("noEvent", "wrap", 1, "noEvent", 100, _same),
+    Operator("smooth", "wrap", 1, "smooth", 100, _same),
     Operator("call", "call", None, "", 100),
-    Operator("if", "if", 3, "if", 0, lambda c, a, b: a if c else b),
-    Operator("or", "logical", None, "or", 1, lambda *a: any(a)),
-    Operator("and", "logical", None, "and", 2, lambda *a: all(a)),
+    Operator("if", "if", 3, "if", 0, _if),
+    Operator("or", "logical", None, "or", 1, _any),
+    Operator("and", "logical", None, "and", 2, _all),
     Operator("not", "logical", 1, "not", 3, operator.not_),
     Operator("lt", "relation", 2, "<", 4, operator.lt),
     Operator("le", "relation", 2, "<=", 4, operator.le),
@@ -120,8 +152,8 @@ _TABLE = (
     _function("sign", 1, _sign),
     _function("min", 2, min),
     _function("max", 2, max),
-    _function("floor", 1, lambda a: float(math.floor(a))),
-    _function("ceil", 1, lambda a: float(math.ceil(a))),
+    _function("floor", 1, _floor),
+    _function("ceil", 1, _ceil),
     _function("integer", 1, math.floor),
     _function("idiv", 2, _div),
     _function("mod", 2, _mod),

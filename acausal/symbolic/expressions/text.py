@@ -10,12 +10,16 @@ from acausal.symbolic.expressions.operators import OPERATORS
 _Piece = tuple[str, int]
 """Text and its precedence."""
 
+MOST_CHARACTERS = 10_000_000
+"""Parts beyond this are left out as `...`: an expression with shared parts is small, its text may be huge."""
+
 _ATOM = 100
 _POWER, _PRODUCT, _SUM = 7, 6, 5
 _FUNCTION_TEXT = {"idiv": "div"}
 
 
 def plain_name(name: str) -> str:
+    """The name as it is."""
     return name
 
 
@@ -46,9 +50,11 @@ def constant_text(value: object, name: Callable[[str], str] = plain_name) -> str
 
 
 def to_text(root: Expr, name: Callable[[str], str] = plain_name) -> str:
-    """The expression as Modelica text; `name` maps flat names to identifiers (`quoted_name` for Base Modelica)."""
+    """The expression as Modelica text; `name` maps flat names to identifiers, as `quoted_name` does."""
 
     def visit(node: Expr, args: list[_Piece]) -> _Piece:
+        if sum([len(text) for text, _ in args]) > MOST_CHARACTERS:
+            return "...", _ATOM
         return _piece(node, args, name)
 
     return fold([root], visit)[root][0]
@@ -71,7 +77,8 @@ def _piece(node: Expr, args: list[_Piece], name: Callable[[str], str]) -> _Piece
     if op == "neg":
         return "-" + _wrap(args[0], _PRODUCT), _SUM
     if op == "mul":
-        return " * ".join([_wrap(arg, _PRODUCT if i == 0 else _POWER) for i, arg in enumerate(args)]), _PRODUCT
+        factors = [_wrap(arg, _PRODUCT if i == 0 else _POWER) for i, arg in enumerate(args)]
+        return " * ".join(factors), _PRODUCT
     if op == "div":
         return f"{_wrap(args[0], _PRODUCT)} / {_wrap(args[1], _POWER)}", _PRODUCT
     if op == "pow":

@@ -1,13 +1,18 @@
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from acausal.symbolic.graphs.blt import strong_components
-from acausal.symbolic.graphs.dummy_derivatives import BadChoice, Selection, select_dummies, structural_choice
-from acausal.symbolic.graphs.matching import maximum_matching
+from acausal.symbolic.graphs.dummy_derivatives import (
+    BadChoice,
+    Choose,
+    Selection,
+    constraint_sets,
+    select_dummies,
+)
+from acausal.symbolic.graphs.matching import Matcher, maximum_matching
 from acausal.symbolic.graphs.pantelides import Reduction
 from acausal.symbolic.graphs.types import Eq, Var
 from tests.symbolic.graphs.systems import (
@@ -22,6 +27,23 @@ from tests.symbolic.graphs.systems import (
     random_signature,
     system,
 )
+
+
+def structural_choice(reduction: Reduction, preference: Callable[[Var], int]) -> Choose:
+    """A `choose` without numbers: the candidates of least `preference` that can be matched structurally.
+
+    Greedy in the transversal matroid (Edmonds and Fulkerson, "Transversals and matroid partition", 1965).
+    """
+
+    def choose(equations: Sequence[Eq], candidates: Sequence[Var]) -> Sequence[Var]:
+        columns = [
+            [Var(i) for i, eq in enumerate(equations) if var in reduction.incidence[eq]] for var in candidates
+        ]
+        matcher = Matcher(columns, len(equations))
+        order = sorted(range(len(candidates)), key=lambda i: (preference(candidates[i]), i))
+        return [candidates[i] for i in order if not matcher.augment([Eq(i)])]
+
+    return choose
 
 
 def named(sample: System, reduction: Reduction, selection: Selection) -> tuple[set[str], set[str]]:
@@ -77,11 +99,12 @@ def test_linear_example_with_numeric_pivoting() -> None:
     found = named(LINEAR, reduction, select_dummies(reduction, choose))
     assert found == ({"x1'", "x1''", "x3'", "x3''", "x4'"}, {"x2", "x2'"})
     assert [(sorted(eqs), variables) for eqs, variables in asked] == [
-        ([0, 1, 2], ["x4'", "x1''", "x2''", "x3''"])  # then two equations for x1' and x3' leave no choice
+        ([0, 1, 2], ["x4'", "x1''", "x2''", "x3''"]),
+        ([0, 1], ["x1'", "x3'"]),
     ]
 
 
-def test_choose_sees_one_block_and_only_real_choices() -> None:
+def test_choose_sees_one_constraint_set_and_one_level() -> None:
     sample = system(
         [
             *({"x": [2], "T": [0]}, {"y": [2], "T": [0]}, {"x": [0], "y": [0]}),
@@ -98,7 +121,7 @@ def test_choose_sees_one_block_and_only_real_choices() -> None:
         return candidates[: len(equations)]
 
     select_dummies(reduction, choose)
-    assert asked == [["x''", "y''"], ["u''", "v''"]]
+    assert asked == [["p'"], ["x''", "y''", "u''", "v''"], ["x'", "y'"]]
 
 
 @given(st.integers(1, 12), st.floats(0.1, 2), st.integers(0, 3), st.integers(0, 10**6))
@@ -120,20 +143,21 @@ def test_selected_system_is_solvable_and_counts_agree(n: int, extra: float, orde
 
 @given(st.integers(1, 12), st.floats(0.1, 2), st.integers(0, 10**6))
 @settings(max_examples=100, deadline=None)
-def test_dummies_of_a_block_stay_in_it(n: int, extra: float, seed: int) -> None:
+def test_dummies_of_a_constraint_set_stay_in_it(n: int, extra: float, seed: int) -> None:
     reduction = system(random_signature(n, extra, 2, seed)).reduce()
-    block_of = {
+    set_of = {
         var: at
-        for at, block in enumerate(strong_components(reduction.incidence, reduction.matching))
-        for var in block.variables
+        for at, equations in enumerate(constraint_sets(reduction))
+        for eq in equations
+        for var in reduction.incidence[eq]
+        if reduction.derivative_of[var] is None
     }
     differentiated = {eq for eq in reduction.equation_derivative if eq is not None}
 
     def choose(equations: Sequence[Eq], candidates: Sequence[Var]) -> Sequence[Var]:
         assert set(equations) <= differentiated
-        assert len(candidates) > len(equations)
-        top = [var for var in candidates if var in block_of]
-        assert len({block_of[var] for var in top}) <= 1
+        assert len(candidates) >= len(equations)
+        assert len({set_of[var] for var in candidates if var in set_of}) <= 1
         return structural_choice(reduction, lambda var: -var)(equations, candidates)
 
     assert len(select_dummies(reduction, choose).dummies) == sum(reduction.differentiations)

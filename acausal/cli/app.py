@@ -1,0 +1,136 @@
+"""The commands and their options. Nothing heavy is imported here, so that `--help` is quick."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal, TypeAlias
+
+import typer
+
+StageName: TypeAlias = Literal["ast", "instance", "flat", "causal", "code"]
+
+_Model = Annotated[
+    str, typer.Argument(metavar="MODEL", help="A class by its dotted name on the library path, or FILE.mo.")
+]
+_Class = Annotated[
+    str | None,
+    typer.Option("--class", metavar="NAME", help="Which class of FILE.mo; the default is the last."),
+]
+_Parameters = Annotated[
+    list[str] | None,
+    typer.Option(
+        "-p", "--parameter", metavar="NAME=VALUE", help="Modify the model; VALUE is Modelica. Repeatable."
+    ),
+]
+_Path = Annotated[
+    list[str] | None,
+    typer.Option("--path", metavar="DIR", help="Search this folder for libraries first. Repeatable."),
+]
+_Json = Annotated[bool, typer.Option("--json", help="Print JSON, errors too.")]
+_StopAfter = Annotated[StageName | None, typer.Option("--stop-after", help="Do not go on after this stage.")]
+_Show = Annotated[
+    StageName | None,
+    typer.Option("--show", help="Print this stage, and stop there unless --stop-after says more."),
+]
+_Seconds = typer.Option(metavar="SECONDS")
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=False,
+    invoke_without_command=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+
+@app.callback()
+def start(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """A Modelica compiler: check, compile and simulate models."""
+    from acausal import __version__
+
+    if version:
+        typer.echo(f"acausal {__version__}")
+        raise typer.Exit
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+        raise typer.Exit(2)
+
+
+@app.command(short_help="Look for mistakes in a model.")
+def check(
+    model: _Model,
+    parameter: _Parameters = None,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Look names up; check types, units and the balance of equations and unknowns.
+
+    With --json: the list of all diagnostics, empty when there is nothing to say.
+    """
+    from acausal.cli.commands import Target, run_check
+
+    run_check(Target(model, class_, tuple(path or ()), tuple(parameter or ())), as_json=json)
+
+
+@app.command("compile", short_help="Say what a model becomes, or print a stage.")
+def compile_(
+    model: _Model,
+    parameter: _Parameters = None,
+    class_: _Class = None,
+    path: _Path = None,
+    stop_after: _StopAfter = None,
+    show: _Show = None,
+    json: _Json = False,
+) -> None:
+    """Compile, and say what the model has become: equations, aliases, index, states, blocks.
+
+    With --show the text of a stage is printed instead; with --json it stands under the key `text`.
+    """
+    from acausal.cli.commands import Target, run_compile
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    run_compile(target, stop_after=stop_after, show=show, as_json=json)
+
+
+@app.command(short_help="Run a model; write and draw results.")
+def simulate(
+    model: _Model,
+    parameter: _Parameters = None,
+    stop_time: Annotated[float | None, typer.Option(metavar="SECONDS", help="When to stop.")] = None,
+    solver: Annotated[str, typer.Option(metavar="NAME", help="How to integrate.")] = "cvode",
+    rtol: Annotated[float | None, typer.Option(metavar="R", help="Relative tolerance.")] = None,
+    atol: Annotated[
+        float | None, typer.Option(metavar="A", help="Absolute one, times nominal values.")
+    ] = None,
+    max_step: Annotated[float | None, typer.Option(metavar="SECONDS", help="Longest step.")] = None,
+    interval: Annotated[float | None, typer.Option(metavar="SECONDS", help="Between output points.")] = None,
+    variable: Annotated[
+        list[str] | None,
+        typer.Option("-v", "--variable", metavar="NAME", help="Keep this variable. Repeatable."),
+    ] = None,
+    all_: Annotated[bool, typer.Option("--all", help="Keep every variable.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE.csv", help="Write a table.")
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw a PNG, SVG or PDF.")] = None,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Compile and run. Stop time, tolerance and interval come from the model's `experiment` annotation.
+
+    Without -v the states and the variables of the top level are kept.
+    """
+    from acausal.cli.commands import Target
+    from acausal.cli.simulation import Run, run_simulate
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    settings = Run(
+        stop_time, solver, rtol, atol, max_step, interval, tuple(variable or ()), all_, output, plot
+    )
+    run_simulate(target, settings, as_json=json)

@@ -1,0 +1,1 @@
+"""`make run`: two systems of a ten-speed transmission, compiled, simulated, plotted and checked."""

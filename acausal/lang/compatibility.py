@@ -1,0 +1,104 @@
+"""Interface compatibility of redeclarations (Modelica 3.6, 6.3 to 6.5 and 7.3.2).
+
+A class may stand for its constraining class when it has every public component of it, of a compatible type
+and with the same prefixes that connect to the outside, and every public class. What derives from the
+constraining class is compatible by construction, and is not compared.
+"""
+
+from __future__ import annotations
+
+from acausal.errors import AcausalError, Span, TypeProblem, fail
+from acausal.lang import ast
+from acausal.lang.class_table import ComponentEntry
+from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleTypes
+
+_MOST_LEVELS = 4
+_MODELS = ("model", "block", "class")
+
+
+def check_class_redeclaration(scope: Scope, types: SimpleTypes) -> None:
+    """A redeclared class against `scope.constraint`. Raises `redeclare.incompatible`."""
+    constraint = scope.constraint
+    assert constraint is not None
+    why = _difference(scope, constraint, types, 0)
+    if why:
+        raise _incompatible(f"`{scope.node.name}` is redeclared as", scope, constraint, scope.span, why)
+
+
+def check_component_redeclaration(
+    path: str, new: Scope, constraint: Scope, span: Span, types: SimpleTypes
+) -> None:
+    """A redeclared component's type against its constraining type. Raises `redeclare.incompatible`."""
+    why = _difference(new, constraint, types, 0)
+    if why:
+        raise _incompatible(f"`{path}` is redeclared with the type", new, constraint, span, why)
+
+
+def _incompatible(what: str, new: Scope, constraint: Scope, span: Span, why: str) -> AcausalError:
+    return fail(
+        TypeProblem,
+        "redeclare.incompatible",
+        f"{what} `{new.path}`, which cannot stand for `{constraint.path}`: {why}",
+        span,
+        names=[new.path, constraint.path],
+        hint=f"extend `{constraint.path}`, or add what is missing",
+    )
+
+
+def _difference(new: Scope, old: Scope, types: SimpleTypes, level: int) -> str:
+    """Why `new` cannot stand for `old`; empty if it can."""
+    if new.node is old.node or old.node in new.table.lineage or level > _MOST_LEVELS:
+        return ""
+    simple, wanted = types.of(new), types.of(old)
+    if simple is not None and wanted is not None:
+        if simple.scalar.literals == wanted.scalar.literals and (
+            simple.scalar.is_enumeration or simple.scalar == wanted.scalar
+        ):
+            return ""
+        return f"one is {simple.scalar}, the other {wanted.scalar}"
+    if (simple is None) != (wanted is None) and (old.table.components or wanted is not None):
+        return "only one of them is a simple type"
+    if new.kind != old.kind and not (new.kind in _MODELS and old.kind in _MODELS):
+        return f"one is a {new.kind}, the other a {old.kind}"
+    return _missing_parts(new, old, types, level)
+
+
+def _missing_parts(new: Scope, old: Scope, types: SimpleTypes, level: int) -> str:
+    for name, entry in old.table.components.items():
+        if entry.protected or (old.kind == "function" and not entry.clause.causality):
+            continue
+        mine = new.table.components.get(name)
+        if mine is None:
+            return f"it has no `{name}`"
+        if mine.protected:
+            return f"its `{name}` is protected"
+        why = _entry_difference(mine, entry, types, level)
+        if why:
+            return f"in `{name}`, {why}"
+    for name in old.table.classes:
+        if new.find_class_entry(name) is None:
+            return f"it has no class `{name}`"
+    return ""
+
+
+def _entry_difference(mine: ComponentEntry, entry: ComponentEntry, types: SimpleTypes, level: int) -> str:
+    if mine.clause.flow != entry.clause.flow:
+        return "one is a flow variable, the other is not"
+    if mine.clause.causality != entry.clause.causality:
+        return "one is an input or an output, the other is not the same"
+    if _dimensions(mine) != _dimensions(entry):
+        return "the numbers of dimensions differ"
+    if mine.clause.variability == "" and entry.clause.variability in ("parameter", "constant"):
+        return f"one is a variable, the other a {entry.clause.variability}"
+    return _difference(
+        mine.scope.find_class(mine.clause.type),
+        entry.scope.find_class(entry.clause.type),
+        types,
+        level + 1,
+    )
+
+
+def _dimensions(entry: ComponentEntry) -> int:
+    written: list[ast.Subscripts | None] = [entry.declaration.dimensions, entry.clause.dimensions]
+    return sum(len(d.items) for d in written if d is not None)

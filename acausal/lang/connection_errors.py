@@ -1,0 +1,63 @@
+"""Messages about connectors that do not fit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from acausal.errors import AcausalError, Span, TypeProblem, fail
+from acausal.lang.instance import Instance, Leaf, Member
+from acausal.symbolic.expressions.expr import Constant
+from acausal.symbolic.expressions.text import constant_text
+
+
+def not_a_connector(member: Instance | Leaf, span: Span) -> AcausalError:
+    """The error for an argument of `connect` that is no connector."""
+    if isinstance(member, Instance):
+        what = f"a {member.scope.kind} (`{member.scope.path}`)"
+    else:
+        what = f"a variable of type {member.type}"
+    return fail(
+        TypeProblem,
+        "connect.not-a-connector",
+        f"`{member.path}` is {what}, not a connector",
+        span,
+        names=[member.path],
+        hint="connect connectors of the two components",
+    )
+
+
+def mismatch(a: Member, b: Member, span: Span, why: str) -> AcausalError:
+    """The error for connectors that differ."""
+    return fail(
+        TypeProblem,
+        "connect.mismatch",
+        f"`{a.path}` and `{b.path}` cannot be connected: {why}",
+        span,
+        names=[a.path, b.path],
+        hint="connect connectors with the same variables, or put an adapter component between them",
+    )
+
+
+def two_sources(first: str, second: str, span: Span) -> AcausalError:
+    """The error for a signal that comes from two places."""
+    return fail(
+        TypeProblem,
+        "connect.two-sources",
+        f"`{first}` and `{second}` both feed the same connection; a signal has one source",
+        span,
+        names=[first, second],
+        hint="an input can be connected to one output only",
+    )
+
+
+def constant_clash(a: Leaf, b: Leaf, values: Mapping[str, Constant], span: Span) -> AcausalError:
+    """The error for connected connectors whose parameters differ."""
+    first, second = constant_text(values[a.path]), constant_text(values[b.path])
+    return fail(
+        TypeProblem,
+        "connect.constant",
+        f"the connected parameters `{a.path}` = {first} and `{b.path}` = {second} differ",
+        span,
+        names=[a.path, b.path],
+        hint="connected connectors need equal parameters",
+    )

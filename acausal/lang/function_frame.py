@@ -1,0 +1,200 @@
+"""The variables of a running function: declared, sized, checked, and their initial values (12.4.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields
+from math import prod
+
+from acausal.errors import AcausalError, Span
+from acausal.lang import ast
+from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.class_table import ComponentEntry
+from acausal.lang.modifiers import Context
+from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleType
+from acausal.lang.translation import Env, Translation
+from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
+from acausal.symbolic.expressions import expr as ex
+
+_MAX_ELEMENTS = 1_000_000
+_MAX_LEVELS = 50
+
+
+@dataclass(slots=True)
+class Frame:
+    """A running function: its variables and what they were declared as."""
+
+    translation: Translation
+    scope: Scope
+    variables: dict[str, AnyValue]
+    assigned: set[str]
+    depth: int
+
+    @property
+    def entries(self) -> dict[str, ComponentEntry]:
+        return self.scope.table.components
+
+    def env(self) -> Env:
+        """Where the function's expressions are translated now."""
+        return Env(Context(self.scope, None), self.variables, None, self.depth)
+
+
+def new_frame(translation: Translation, scope: Scope, env: Env) -> Frame:
+    """The frame of a call from `env`, without variables."""
+    return Frame(translation, scope, {}, set(), env.depth + 1)
+
+
+def default_of(entry: ComponentEntry) -> ast.Expression | None:
+    """The value in a declaration."""
+    modification = entry.declaration.modification
+    value = None if modification is None else modification.value
+    return None if isinstance(value, ast.Break) else value
+
+
+def declare(frame: Frame, entry: ComponentEntry, value: AnyValue | None, span: Span) -> AnyValue:
+    """The first value of a function variable or record field, checked against its declaration.
+
+    Unassigned variables start as zeros of their declared size, so that element-wise assignment works.
+    """
+    type_scope = entry.scope.find_class(entry.clause.type)
+    simple = frame.translation.instances.simple_type(type_scope)
+    if value is None:
+        default = default_of(entry)
+        if default is not None:
+            value = frame.translation.value(default, frame.env())
+    if value is not None:
+        frame.variables[entry.name] = value  # its sizes may name itself: `A[:, size(A, 1)]`
+    shape = _declared_shape(frame, entry, simple)
+    if value is None:
+        return _empty(frame, entry, type_scope, [n or 0 for n in shape])
+    _check_shape(frame, entry, shape, value, span)
+    if simple is None:
+        if isinstance(value, Value):
+            raise _wrong_type(frame, entry, type_scope.path, value, span)
+        return value
+    plain = as_value(value, span)
+    if not assignable(plain.type, simple.scalar):
+        raise _wrong_type(frame, entry, simple.scalar.name, plain, span)
+    return Value(simple.scalar, plain.shape, plain.items)
+
+
+def _wrong_type(
+    frame: Frame, entry: ComponentEntry, wanted: str, value: AnyValue, span: Span
+) -> AcausalError:
+    message = f"`{entry.name}` of `{frame.scope.path}` is {wanted}, but it is given {describe(value)}"
+    return type_error("type.mismatch", message, span, "", (entry.name,))
+
+
+def _check_shape(
+    frame: Frame, entry: ComponentEntry, shape: list[int | None], value: AnyValue, span: Span
+) -> None:
+    found = () if isinstance(value, RecordValue) else value.shape
+    fits = len(shape) == len(found) and all(
+        want is None or want == size for want, size in zip(shape, found, strict=True)
+    )
+    if not fits:
+        sizes = ", ".join(":" if n is None else str(n) for n in shape)
+        wanted = f"has the size [{sizes}]" if shape else "is a scalar"
+        message = f"`{entry.name}` of `{frame.scope.path}` {wanted}, but it is given {describe(value)}"
+        raise type_error("type.array-size", message, span, "", (entry.name,))
+
+
+def _empty(frame: Frame, entry: ComponentEntry, type_scope: Scope, shape: list[int]) -> AnyValue:
+    simple = frame.translation.instances.simple_type(type_scope)
+    if prod(shape) > _MAX_ELEMENTS:
+        message = f"`{entry.name}` of `{frame.scope.path}` has more than {_MAX_ELEMENTS} elements"
+        raise type_error("array.bad-size", message, entry.declaration.span, "", (entry.name,))
+    if simple is not None:
+        return Value(simple.scalar, tuple(shape), (_zero(simple),) * prod(shape))
+    if frame.depth > _MAX_LEVELS:
+        message = f"the record `{type_scope.path}` contains itself"
+        raise type_error("instance.recursive", message, entry.declaration.span, "", (type_scope.path,))
+    inner = Frame(frame.translation, type_scope, {}, set(), frame.depth + 1)
+    for part in type_scope.table.components.values():
+        inner.variables[part.name] = declare(inner, part, None, entry.declaration.span)
+    record = RecordValue(type_scope.path, dict(inner.variables))
+    return RecordArray(tuple(shape), (record,) * prod(shape)) if shape else record
+
+
+def _zero(simple: SimpleType) -> ex.Expr:
+    if simple.scalar.is_enumeration:
+        return ex.const(ex.EnumValue(simple.scalar.name, simple.scalar.literals[0], 1))
+    zeros = {"Boolean": ex.FALSE, "Integer": ex.const(0), "String": ex.const("")}
+    return zeros.get(simple.scalar.name, ex.ZERO)
+
+
+def declared_rank(translation: Translation, entry: ComponentEntry) -> int:
+    """The number of dimensions of a declared variable."""
+    written = [entry.declaration.dimensions, entry.clause.dimensions]
+    simple = translation.instances.simple_type(entry.scope.find_class(entry.clause.type))
+    if simple is not None:
+        written += [dimensions for dimensions, _ in simple.dimensions]
+    return sum(len(d.items) for d in written if d is not None)
+
+
+def _declared_shape(frame: Frame, entry: ComponentEntry, simple: SimpleType | None) -> list[int | None]:
+    """Sizes, None for `:`."""
+    env = frame.env()
+    places = [(entry.declaration.dimensions, env), (entry.clause.dimensions, env)]
+    if simple is not None:
+        places += [(dimensions, Env(Context(scope, None))) for dimensions, scope in simple.dimensions]
+    return [
+        None if isinstance(item, ast.Colon) else _size(frame, entry, item, where)
+        for dimensions, where in places
+        for item in (() if dimensions is None else dimensions.items)
+    ]
+
+
+def _size(frame: Frame, entry: ComponentEntry, item: ast.Expression, env: Env) -> int:
+    values = frame.translation.enumerated(item, env)
+    if values is not None:
+        return len(values)
+    size = frame.translation.evaluate_in(item, env, f"the size of `{entry.name}`")
+    if not isinstance(size, int) or isinstance(size, bool) or size < 0:
+        message = f"the size of `{entry.name}` is {size}; it must be an Integer from 0"
+        raise type_error("array.bad-size", message, item.span, "", (entry.name,))
+    return size
+
+
+# --------------------------------------------------------------------------- order of declarations
+
+
+def declaration_order(entries: Iterable[ComponentEntry]) -> list[ComponentEntry]:
+    """The variables so that each comes after those its size and default value name; else as written."""
+    by_name = {entry.name: entry for entry in entries}
+    order: dict[str, ComponentEntry] = {}
+    busy: set[str] = set()
+
+    def visit(entry: ComponentEntry) -> None:
+        if entry.name in order or entry.name in busy:
+            return
+        busy.add(entry.name)
+        for name in _names_in(entry):
+            if name in by_name:
+                visit(by_name[name])
+        order[entry.name] = entry
+
+    for entry in by_name.values():
+        visit(entry)
+    return list(order.values())
+
+
+def _names_in(entry: ComponentEntry) -> Iterator[str]:
+    """First identifiers of the references in a declaration's sizes and value."""
+    stack: list[object] = [default_of(entry), entry.clause.dimensions, entry.declaration.dimensions]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, tuple):
+            stack.extend(node)  # pyright: ignore[reportUnknownArgumentType]  # any tuple of nodes
+        elif isinstance(node, ast.ComponentReference):
+            yield node.parts[0].name
+            stack.extend(part.subscripts for part in node.parts)
+        elif isinstance(node, _NODES):
+            stack.extend(getattr(node, field.name) for field in fields(node) if field.name != "span")
+
+
+_NODES = (
+    ast.Subscripts, ast.Unary, ast.Binary, ast.If, ast.NamedArgument, ast.Iterator, ast.Call,
+    ast.ArrayConstructor, ast.Matrix, ast.Range, ast.Tuple, ast.Subscripted,
+)  # fmt: skip

@@ -1,0 +1,120 @@
+"""Messages about components that cannot be built."""
+
+from __future__ import annotations
+
+from acausal.errors import AcausalError, LookupProblem, Span, TypeProblem, UnsupportedProblem, fail
+from acausal.lang import ast
+from acausal.lang.class_table import ComponentEntry
+from acausal.lang.instance import Instance
+from acausal.lang.modifiers import Modifier
+from acausal.lang.predefined import EXTERNAL_OBJECT
+from acausal.lang.scope import Scope
+
+
+def check_instantiable(scope: Scope, path: str, span: Span) -> None:
+    """Raise unless components of the class can be built."""
+    definition = scope.definition
+    if scope.kind in ("package", "function"):
+        raise fail(
+            TypeProblem,
+            "type.not-a-component-type",
+            f"`{path}` is declared with the {scope.kind} `{scope.path}` as its type",
+            span,
+            names=[path],
+            hint="use a model, block, connector, record or type",
+        )
+    if definition.class_prefixes.partial:
+        raise fail(
+            TypeProblem,
+            "type.partial",
+            f"`{path}` is of the partial class `{scope.path}`, which cannot be instantiated",
+            span,
+            names=[path],
+            hint="redeclare it with a class that extends the partial one",
+        )
+    if scope.path == EXTERNAL_OBJECT or any(base.scope.path == EXTERNAL_OBJECT for base in scope.table.bases):
+        message = f"`{path}` is the external object `{scope.path}`, which is not supported yet"
+        raise fail(UnsupportedProblem, "unsupported.external-object", message, span, names=[path])
+    if definition.class_prefixes.expandable:
+        message = f"`{path}` is an expandable connector, which is not supported yet"
+        raise fail(UnsupportedProblem, "unsupported.expandable", message, span, names=[path])
+
+
+def refuse_unsupported(clause: ast.ComponentClause, path: str) -> None:
+    """Raise for prefixes that this version does not know."""
+    if clause.flow == "stream":
+        what = "stream"
+    elif clause.prefixes.inner and clause.prefixes.outer:
+        what = "inner outer"
+    else:
+        return
+    code = f"unsupported.{what.replace(' ', '-')}"
+    message = f"`{path}` is declared `{what}`, which is not supported yet"
+    raise fail(UnsupportedProblem, code, message, clause.span, names=[path])
+
+
+def no_inner(name: str, path: str, span: Span) -> AcausalError:
+    """The refusal of an `outer` component without an `inner` one, which a tool may add by itself (5.4)."""
+    return fail(
+        UnsupportedProblem,
+        "unsupported.missing-inner",
+        f"`{path}` is `outer`, but no component around it declares an `inner` `{name}`",
+        span,
+        names=[path],
+        hint=f"declare `inner ... {name};` in a model that contains this component",
+    )
+
+
+def modifies_protected(path: str, modifier: Modifier, entry: ComponentEntry) -> AcausalError:
+    """The error for a modification of a protected element from outside (4.1)."""
+    return fail(
+        TypeProblem,
+        "lookup.protected",
+        f"`{path}` is protected in `{entry.scope.path}` and cannot be modified from outside",
+        modifier.span,
+        names=[path],
+        hint="make it public, or modify it in an `extends` clause",
+    )
+
+
+def not_a_component(path: str, span: Span) -> AcausalError:
+    """The error for a component redeclared as a class."""
+    message = f"`{path}` is a component, but it is redeclared as a class"
+    return fail(TypeProblem, "redeclare.kind", message, span, names=[path])
+
+
+def too_deep(instance: Instance, most: int) -> AcausalError:
+    """The error for components nested without end."""
+    return fail(
+        TypeProblem,
+        "instance.recursive",
+        f"`{instance.scope.path}` contains itself: components are nested more than {most} deep",
+        instance.span,
+        names=[instance.scope.path],
+        hint="a model cannot have a component of its own class",
+    )
+
+
+def too_large(path: str, span: Span, most: int) -> AcausalError:
+    """The error for a model that has too many components."""
+    return fail(
+        TypeProblem,
+        "instance.too-large",
+        f"the model has more than {most} components and scalars; `{path}` is one too many",
+        span,
+        names=[path],
+        hint="check the sizes of the arrays",
+    )
+
+
+def cyclic_structure(entry: ComponentEntry, instance: Instance) -> AcausalError:
+    """The error for a size or condition that needs the component itself."""
+    path = f"{instance.path}.{entry.name}" if instance.path else entry.name
+    return fail(
+        LookupProblem,
+        "parameter.cyclic",
+        f"the size, condition or type of `{path}` depends on itself",
+        entry.declaration.span,
+        names=[path],
+        hint="break the circle of parameters",
+    )

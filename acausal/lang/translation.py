@@ -1,0 +1,118 @@
+"""What the parts of the front end that evaluate expressions need from each other.
+
+`Translation` is the translator as seen by lookup, functions and the builder of instances; `Instances` is
+that builder as seen by them. Both are implemented once: `translate.Translator`, `instantiate.Instantiator`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from typing import Protocol
+
+from acausal.errors import Span
+from acausal.lang import ast
+from acausal.lang.instance import Instance, Leaf, Member
+from acausal.lang.light import light_object
+from acausal.lang.modifiers import Binding, Context
+from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleType
+from acausal.lang.values import AnyValue, Value
+from acausal.symbolic.expressions.expr import Constant, Expr
+
+
+@light_object
+class Env:
+    """Where an expression is translated: its context and local names (iterators, function variables)."""
+
+    context: Context
+    locals: Mapping[str, AnyValue] = field(default_factory=dict[str, AnyValue])
+    size: Value | None = None
+    """Of the dimension being subscripted: the value of `end`."""
+    depth: int = 0
+    """How many function calls deep."""
+
+    def with_locals(self, more: Mapping[str, AnyValue]) -> Env:
+        return Env(self.context, {**self.locals, **more}, self.size, self.depth)
+
+    def with_size(self, size: Value) -> Env:
+        return Env(self.context, self.locals, size, self.depth)
+
+
+class Instances(Protocol):
+    """The builder of the instance tree."""
+
+    def member(self, instance: Instance, name: str) -> Member | None:
+        """The member `name`, built now if need be; None if the class has no such component."""
+        ...
+
+    def package(self, scope: Scope) -> Instance:
+        """The holder of a package's constants."""
+        ...
+
+    def simple_type(self, scope: Scope) -> SimpleType | None:
+        """What a class boils down to if it is a predefined type, an enumeration, or derived from one."""
+        ...
+
+    def check_redeclared(self, scope: Scope) -> None:
+        """A redeclared class must be compatible with its constraining class."""
+        ...
+
+    def size_so_far(self, instance: Instance, name: str, dimension: int) -> int | None:
+        """A size of an array whose later sizes are still being evaluated."""
+        ...
+
+
+class Translation(Protocol):
+    """The one evaluator of expressions of a compilation."""
+
+    @property
+    def instances(self) -> Instances: ...
+
+    def value(self, node: ast.Expression, env: Env) -> AnyValue:
+        """The symbolic value of an expression."""
+        ...
+
+    def evaluate(self, expression: ast.Expression, context: Context, purpose: str) -> Constant:
+        """The value of a scalar expression at compile time; the text says what it is needed for."""
+        ...
+
+    def evaluate_in(self, expression: ast.Expression, env: Env, purpose: str) -> Constant:
+        """As `evaluate`, where there are local names."""
+        ...
+
+    def evaluate_expr(self, item: Expr, span: Span, purpose: str) -> Constant:
+        """As `evaluate`, for a translated scalar."""
+        ...
+
+    def decide(self, condition: Expr) -> bool | None:
+        """The value of a condition on parameters, which become structural; None for any other."""
+        ...
+
+    def decide_discrete(self, condition: Expr) -> bool | None:
+        """As `decide`, if the condition depends on Integer, Boolean and enumeration parameters only."""
+        ...
+
+    def results(self, node: ast.Call, env: Env) -> list[AnyValue]:
+        """All outputs of a function call, in order."""
+        ...
+
+    def binding_value(self, binding: Binding) -> AnyValue:
+        """The value of a modification, or the part of it that falls to one element."""
+        ...
+
+    def constant_of(self, leaf: Leaf) -> Constant:
+        """The value of a package's constant."""
+        ...
+
+    def enumerated(self, node: ast.Expression, env: Env) -> list[Value] | None:
+        """The values of a type that can be a dimension or a range (`Boolean`, an enumeration); else None."""
+        ...
+
+    def note(self, leaf: Leaf) -> None:
+        """Remember a scalar that an expression names."""
+        ...
+
+    def count_step(self, function: str, span: Span) -> None:
+        """Count a statement run at compile time. Raises when there are too many."""
+        ...

@@ -1,0 +1,89 @@
+"""Which class a person means: a dotted name on the library path, a file, or a text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from acausal.errors import LookupProblem, Source, SyntaxProblem, UsageProblem, fail
+from acausal.lang.library import Library, library_directories
+from acausal.lang.parser import parse
+
+_IDENTIFIER = r"(?:[^\W\d]\w*|'[^']+')"
+_DOTTED_NAME = re.compile(rf"\.?{_IDENTIFIER}(?:\.{_IDENTIFIER})*")
+
+
+def searched_directories(path: Sequence[str | Path]) -> tuple[Path, ...]:
+    """The library path, with `path` first. Raises `UsageProblem` when one of `path` is no folder."""
+    for folder in path:
+        if not Path(folder).is_dir():
+            raise fail(UsageProblem, "usage.path", f"`{folder}` on the library path is not a folder")
+    return library_directories(path)
+
+
+def existing_file(text: str) -> Path:
+    """The file called `text`. Raises `UsageProblem` when there is none."""
+    file = Path(text)
+    if not file.exists():
+        raise fail(
+            UsageProblem,
+            "usage.no-file",
+            f"there is no file `{text}`",
+            hint="check the path and the working directory",
+        )
+    if not file.is_file():
+        raise fail(UsageProblem, "usage.no-file", f"`{text}` is not a file")
+    return file
+
+
+def class_name(text: str) -> str:
+    """`text`, if it can be the dotted name of a class. Raises `UsageProblem`, with what it may have meant."""
+    if _DOTTED_NAME.fullmatch(text) and not Path(text).is_file():
+        return text.removeprefix(".")
+    place = Path(text)
+    if place.is_dir():
+        problem = f"`{text}` is a folder; a model is a dotted class name or a file FILE.mo"
+        hint = "put the folder that holds the package on the library path (--path), and name a class in it"
+    elif place.is_file():
+        problem, hint = f"`{text}` does not end in `.mo`", "rename the file, if it holds Modelica"
+    else:
+        problem, hint = f"`{text}` is neither a dotted class name nor a file FILE.mo", ""
+    raise fail(UsageProblem, "usage.model", problem, names=[text], hint=hint)
+
+
+def stored_root(file: Path) -> tuple[Path, ...]:
+    """The folder that a file's top-level package lies in, so that its siblings are found."""
+    folder = file.resolve().parent
+    while (folder / "package.mo").is_file():
+        folder = folder.parent
+    return (folder,) if folder != file.resolve().parent else ()
+
+
+def add_source(library: Library, source: Source, name: str | None, file: Path | None) -> str:
+    """Add the classes of a text to the library; returns the full name of the chosen one."""
+    stored = parse(source)
+    if not stored.classes:
+        hint = "a Modelica file starts with `model Name`"
+        raise fail(SyntaxProblem, "syntax.no-class", f"{source.path} holds no class", hint=hint)
+    if stored.within:
+        full = ".".join((*stored.within, stored.classes[-1][1].name))
+        return library.find(name or full).path
+    for _, definition in stored.classes:
+        folder = file.resolve().parent if file is not None and file.name == "package.mo" else None
+        library.add(definition, folder)
+    if name is None:
+        return stored.classes[-1][1].name
+    return library.find(_qualified(library, class_name(name), [d.name for _, d in stored.classes])).path
+
+
+def _qualified(library: Library, name: str, tops: Sequence[str]) -> str:
+    """`name` as given, or below the last class of the file."""
+    if name.partition(".")[0] in tops:
+        return name
+    inside = f"{tops[-1]}.{name}"
+    try:
+        library.find(inside)
+    except LookupProblem:
+        return name
+    return inside

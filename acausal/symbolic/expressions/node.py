@@ -1,0 +1,100 @@
+"""Hash-consed nodes: two structurally equal expressions are the same object.
+
+Expressions know no model: a variable is a symbol with a name; what the name means is the caller's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import isnan
+from weakref import WeakValueDictionary
+
+
+@dataclass(frozen=True, slots=True)
+class EnumValue:
+    """A literal of an enumeration: `index` counts from 1, as `Integer(e)` does."""
+
+    type_name: str
+    literal: str
+    index: int
+
+
+Constant = float | int | bool | str | EnumValue
+
+
+class Expr:
+    """A node: `op` from the operator table, `args`, and `value` (constant, symbol or function name, order).
+
+    Never construct one directly; use the functions of this module.
+    """
+
+    __slots__ = ("__weakref__", "args", "op", "value")
+    op: str
+    args: tuple[Expr, ...]
+    value: Constant | None
+
+    def __repr__(self) -> str:
+        from acausal.symbolic.expressions.text import to_text  # the printer sits above this module
+
+        return f"Expr({to_text(self)})"
+
+    def __reduce__(self) -> tuple[Callable[..., Expr], tuple[object, ...]]:
+        return make, (self.op, self.args, self.value)
+
+    @property
+    def name(self) -> str:
+        """The name of a symbol or of a called function."""
+        if not isinstance(self.value, str):
+            raise TypeError(f"{self.op} has no name")
+        return self.value
+
+    @property
+    def is_const(self) -> bool:
+        return self.op == "const"
+
+    @property
+    def number(self) -> float:
+        """The numeric value of a constant (Boolean 0/1, enumeration: its index)."""
+        value = self.value
+        if self.op != "const" or value is None or isinstance(value, str):
+            raise TypeError(f"{self.op} is not a numeric constant")
+        return float(value.index) if isinstance(value, EnumValue) else float(value)
+
+
+_table: WeakValueDictionary[object, Expr] = WeakValueDictionary()
+
+
+def make(op: str, args: tuple[Expr, ...] = (), value: Constant | None = None) -> Expr:
+    """The unique node with these parts, without any simplification."""
+    key = (op, args, value, value.__class__) if op == "const" else (op, args, value)
+    found = _table.get(key)
+    if found is not None:
+        return found
+    node = Expr()
+    node.op = op
+    node.args = args
+    node.value = value
+    _table[key] = node
+    return node
+
+
+def const(value: Constant) -> Expr:
+    """A literal. Reals, Integers, Booleans, Strings and enumeration values stay distinct."""
+    if isinstance(value, float):
+        if isnan(value):
+            raise ValueError("not-a-number is not a literal")
+        value = value + 0.0  # -0.0 becomes 0.0
+    return make("const", (), value)
+
+
+def sym(name: str) -> Expr:
+    """A variable or parameter by its flat name."""
+    return make("sym", (), name)
+
+
+TIME = sym("time")
+ZERO = const(0.0)
+ONE = const(1.0)
+TRUE = const(True)
+FALSE = const(False)

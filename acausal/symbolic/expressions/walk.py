@@ -1,0 +1,100 @@
+"""Walks over the directed acyclic graph of expressions: iterative, each distinct node once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TypeVar
+
+from acausal.symbolic.expressions.construct import rebuild
+from acausal.symbolic.expressions.node import Expr
+
+_T = TypeVar("_T")
+
+
+def postorder(roots: Iterable[Expr]) -> Iterator[Expr]:
+    """Every distinct node below `roots`, arguments before users. Iterative."""
+    seen: set[Expr] = set()
+    for root in roots:
+        if root in seen:
+            continue
+        stack = [(root, iter(root.args))]
+        seen.add(root)
+        while stack:
+            node, pending = stack[-1]
+            for arg in pending:
+                if arg not in seen:
+                    seen.add(arg)
+                    stack.append((arg, iter(arg.args)))
+                    break
+            else:
+                stack.pop()
+                yield node
+
+
+def fold(
+    roots: Iterable[Expr], visit: Callable[[Expr, list[_T]], _T], memo: dict[Expr, _T] | None = None
+) -> dict[Expr, _T]:
+    """Value of every node below `roots`: `visit(node, values of its args)`, each node once.
+
+    `memo` may be passed to share results between calls and to preset the values of nodes.
+    """
+    values: dict[Expr, _T] = {} if memo is None else memo
+    for root in roots:
+        if root in values:
+            continue
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            if node in values:
+                stack.pop()
+                continue
+            missing = [arg for arg in node.args if arg not in values]
+            if missing:
+                stack.extend(reversed(missing))
+            else:
+                stack.pop()
+                values[node] = visit(node, [values[arg] for arg in node.args])
+    return values
+
+
+def substitute(root: Expr, mapping: Mapping[Expr, Expr], memo: dict[Expr, Expr] | None = None) -> Expr:
+    """Replace nodes (usually symbols) by expressions; unchanged parts are shared.
+
+    Pass the same `memo` for many roots with the same mapping.
+    """
+    values: dict[Expr, Expr] = {} if memo is None else memo
+    if not values:
+        values.update(mapping)
+
+    def visit(node: Expr, args: list[Expr]) -> Expr:
+        if not args:
+            return node
+        new = tuple(args)
+        return node if new == node.args else rebuild(node, new)
+
+    return fold([root], visit, values)[root]
+
+
+def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
+    """The distinct symbols and derivatives of symbols, in order of first appearance.
+
+    `der(x)` counts as one leaf (and `x` inside it does not); so does `pre(x)`.
+    """
+    found: dict[Expr, None] = {}
+    seen: set[Expr] = set()
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node.op == "sym" or node.op in ("der", "pre"):
+            found[node] = None
+        else:
+            stack.extend(reversed(node.args))
+    return tuple(found)
+
+
+def symbols(roots: Iterable[Expr]) -> tuple[str, ...]:
+    """Names of all symbols below `roots` (also inside `der`), in order of first appearance."""
+    return tuple(dict.fromkeys(node.name for node in postorder(roots) if node.op == "sym"))

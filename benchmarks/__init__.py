@@ -1,0 +1,1 @@
+"""Benchmarks: how fast, compared with what, and how it grows."""

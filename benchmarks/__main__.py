@@ -1,0 +1,67 @@
+"""`python -m benchmarks --out DIR`: run every benchmark, print its table, write its rows as CSV."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import platform
+from collections.abc import Callable, Iterable
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from benchmarks import compile_growth, run_time
+
+BENCHMARKS: dict[str, Callable[[], Iterable[compile_growth.Row]]] = {
+    "compile_growth": compile_growth.rows,
+    "run_time": run_time.rows,
+}
+
+
+def main() -> None:
+    """Run them all, or those named."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("names", nargs="*", help=f"of {', '.join(BENCHMARKS)}; default all")
+    parser.add_argument("--out", type=Path, default=Path("out"))
+    arguments = parser.parse_args()
+    unknown = [name for name in arguments.names if name not in BENCHMARKS]
+    if unknown:
+        parser.error(f"there is no benchmark {unknown[0]}; there are {', '.join(BENCHMARKS)}")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    console = Console()
+    console.print(environment())
+    for name in arguments.names or BENCHMARKS:
+        rows = list(BENCHMARKS[name]())
+        console.print(as_table(name, rows))
+        with (arguments.out / f"{name}.csv").open("w", newline="") as file:
+            writer = csv.DictWriter(file, fieldnames=list(rows[0]))
+            writer.writeheader()
+            writer.writerows(rows)
+
+
+def environment() -> str:
+    """Python, cores and the versions of what is compared."""
+    found: list[str] = []
+    for package in ("acausal", "casadi", "scikit-sundae", "rumoca", "pymoca"):
+        try:
+            found.append(f"{package} {version(package)}")
+        except PackageNotFoundError:
+            found.append(f"{package} not installed")
+    return f"Python {platform.python_version()}, {os.cpu_count()} cores; {', '.join(found)}"
+
+
+def as_table(name: str, rows: list[compile_growth.Row]) -> Table:
+    """The rows for a terminal."""
+    table = Table(title=name)
+    for key in rows[0]:
+        table.add_column(key, justify="left" if isinstance(rows[0][key], str) else "right")
+    for row in rows:
+        table.add_row(*[str(value) for value in row.values()])
+    return table
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,247 @@
+"""Alias elimination: what disappears, what stands for it, and that the solution does not change."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from acausal.errors import AcausalError, BalanceProblem, InitializationProblem
+from acausal.lang.flat import BOOLEAN, INTEGER, FlatModel, StateSelect
+from acausal.symbolic.alias import Simplified, eliminate_aliases
+from acausal.symbolic.causalise import causalise
+from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.parameters import parameter_values
+from tests.symbolic.build import Attributes, model
+from tests.symbolic.numeric import run
+
+
+def simplified(flat: FlatModel) -> Simplified:
+    return eliminate_aliases(flat, parameter_values(flat))
+
+
+def aliases(*equations: str, **variables: Attributes) -> dict[str, str]:
+    found = simplified(model(*equations, variables=variables, parameters={"p": 3.0, "q": 4.0}))
+    return {alias.name: to_text(alias.value) for alias in found.aliases}
+
+
+@pytest.mark.parametrize(
+    ("equation", "value"),
+    [
+        ("b = a", "a"),
+        ("b = -a", "-a"),
+        ("a + b = 0", "-a"),
+        ("0 = a - b", "a"),
+        ("2*a = 2*b", "a"),
+        ("3*b + 3*a = 0", "-a"),
+        ("b = p", "p"),
+        ("b = p*q + 1", "p * q + 1.0"),
+        ("2*b - p = 0", "p / 2.0"),
+        ("b = 5", "5.0"),
+    ],
+)
+def test_forms(equation: str, value: str) -> None:
+    assert aliases("der(a) = a + b", equation) == {"b": value}
+
+
+@pytest.mark.parametrize(
+    "equation",
+    ["b = 2*a", "b = a + p", "b*p = 1", "b = a*p", "b = time", "b = -der(a)", "b^2 = p", "b = sin(a)"],
+)
+def test_what_is_no_alias(equation: str) -> None:
+    assert aliases("der(a) = a + b", equation) == {}
+
+
+def test_chains_and_signs() -> None:
+    found = aliases("a = -b", "b = c", "c = -d", "der(d) = a + 1")
+    assert found == {"a": "d", "b": "-d", "c": "-d"}
+
+
+def test_constants_spread() -> None:
+    found = aliases("c = a*b", "a = p", "b = -a", "d = c + a", "der(x) = d")
+    assert found == {"a": "p", "b": "-p", "c": "-p * p", "d": "-p * p + p"}
+
+
+def test_opposite_and_equal_means_zero() -> None:
+    assert aliases("a = b", "a = -b", "der(x) = a") == {"a": "0.0", "b": "0.0"}
+
+
+def test_types_do_not_mix() -> None:
+    assert aliases("n = x", "der(x) = 1", n={"type": INTEGER, "discrete": True}) == {}
+    found = aliases("b = c", "c = x > 1", "der(x) = 1", b={"type": BOOLEAN}, c={"type": BOOLEAN})
+    assert found == {"c": "b"}
+
+
+@pytest.mark.parametrize(
+    ("attributes", "kept"),
+    [
+        ({"u.port.v": {}, "u.v": {}}, "u.v"),  # the connector yields to the component
+        ({"u.v": {}, "top": {}}, "top"),
+        ({"top": {}, "u.v": {"start": 1}}, "u.v"),
+        ({"top": {"start": 1}, "u.v": {"start": 1, "fixed": True}}, "u.v"),
+        ({"top": {"start": 1, "fixed": True}, "u.v": {"select": StateSelect.PREFER}}, "u.v"),
+        ({"first": {}, "second": {}}, "first"),
+    ],
+)
+def test_the_representative(attributes: dict[str, Attributes], kept: str) -> None:
+    a, b = attributes
+    found = simplified(model(f"{a} = {b}", f"{a} = time", variables=attributes))
+    assert [v.name for v in found.unknowns] == [kept]
+
+
+def test_a_differentiated_variable_represents_its_class() -> None:
+    found = simplified(model("top = u.port.x", "der(u.port.x) = 1"))
+    assert [v.name for v in found.unknowns] == ["u.port.x"]
+
+
+def test_the_highest_given_state_select_counts() -> None:
+    variables: dict[str, Attributes] = {
+        "y": {"select": StateSelect.NEVER},
+        "z": {"select": StateSelect.AVOID},
+    }
+    (x,) = simplified(model("der(x) = 1", "y = -x", "z = x", variables=variables)).unknowns
+    assert (x.name, x.state_select) == ("x", StateSelect.AVOID)
+
+
+def test_merged_values() -> None:
+    variables: dict[str, Attributes] = {
+        "x": {"min": -5, "max": 9, "select": StateSelect.PREFER},
+        "y": {"nominal": 10, "min": -3, "start": 2, "fixed": True},
+        "z": {"start": 7, "nominal": 1, "max": 4},
+    }
+    (x,) = simplified(model("der(x) = 1", "y = -x", "z = x", variables=variables)).unknowns
+    assert x.name == "x"
+    assert [to_text(e) for e in (x.start, x.nominal, x.min, x.max) if e is not None] == [
+        "-2.0",
+        "10.0",
+        "-5.0",
+        "3.0",
+    ]
+    assert (x.fixed, x.state_select) == (True, StateSelect.PREFER)
+
+
+def test_two_fixed_starts_must_agree() -> None:
+    fixed: Attributes = {"start": 1, "fixed": True}
+    variables: dict[str, Attributes] = {"x": fixed, "y": {"start": -1, "fixed": True}}
+    (x,) = simplified(model("der(x) = 1", "y = -x", variables=variables)).unknowns
+    assert x.fixed
+    with pytest.raises(InitializationProblem) as caught:
+        simplified(model("der(x) = 1", "y = x", variables=variables))
+    assert caught.value.codes == ("start.conflict", "start.conflict")
+    lines = [d.span.line for d in caught.value.diagnostics if d.span is not None]
+    assert lines == [3, 4]
+    assert "'y'" in caught.value.diagnostics[0].message
+
+
+def test_a_fixed_start_must_agree_with_a_constant_value() -> None:
+    assert simplified(model("x = 3", variables={"x": {"start": 3, "fixed": True}})).initial_equations == ()
+    with pytest.raises(InitializationProblem, match=r"its value is 3.0 by 'x = 3.0'"):
+        simplified(model("x = 3", variables={"x": {"start": 1, "fixed": True}}))
+
+
+def test_a_named_derivative_replaces_the_leaf() -> None:
+    found = simplified(model("w = der(phi)", "a = der(w)", "a = -k*phi", parameters={"k": 1.0}))
+    assert {(entry.of, entry.derivative) for entry in found.named} == {("phi", "w"), ("w", "a")}
+    assert [to_text(e.right) for e in found.equations] == ["-k * phi"]
+    assert found.aliases == ()
+    system = causalise(model("w = der(phi)", "a = der(w)", "a = -phi"))
+    assert set(system.states) == {"w", "phi"}
+    values = run(system, {"w": 0.5, "phi": 2.0})
+    assert (values["der(phi)"], values["der(w)"], values["a"]) == (0.5, -2.0, -2.0)
+
+
+def test_a_derivative_chain_never_bites_its_tail() -> None:
+    system = causalise(model("x = der(y)", "y = der(x)"))
+    assert len(system.states) == 2
+    system = causalise(model("x = der(x)"))
+    assert run(system, {"x": 2.0})["der(x)"] == 2.0
+
+
+def test_equal_speeds_of_different_angles() -> None:
+    """One variable cannot name the derivatives of two: both angles stay states."""
+    system = causalise(model("w1 = der(phi1)", "w2 = der(phi2)", "w1 = w2", "w1 = sin(time)"))
+    assert set(system.states) == {"phi1", "phi2"}
+    values = run(system, {"phi1": 0.1, "phi2": 0.2}, time=1.0)
+    assert values["der(phi1)"] == values["der(phi2)"] == pytest.approx(0.8414709848)
+
+
+def test_a_speed_that_is_opposite_to_another() -> None:
+    system = causalise(model("w1 = der(phi1)", "w2 = der(phi2)", "w1 = -w2", "w1 = sin(time)"))
+    values = run(system, {"phi1": 0.1, "phi2": 0.2}, time=1.0)
+    assert values["der(phi2)"] == pytest.approx(-values["der(phi1)"])
+
+
+def test_an_angle_that_is_held() -> None:
+    system = causalise(model("w = der(phi)", "phi = 3", "j*der(w) = tau", parameters={"j": 1.0}))
+    assert (system.states, system.index) == ((), 3)
+    assert run(system, {})["tau"] == 0
+
+
+def test_a_loop_of_aliases_is_a_surplus_equation() -> None:
+    with pytest.raises(BalanceProblem) as caught:
+        simplified(model("a = b", "b = c", "c = a"))
+    (diagnostic,) = caught.value.diagnostics
+    assert diagnostic.code == "alias.loop"
+    assert set(diagnostic.names) == {"a", "b", "c"}
+    assert "test.mo:1" in diagnostic.message
+    assert "test.mo:2" in diagnostic.message
+    assert diagnostic.span is not None
+    assert diagnostic.span.line == 3
+
+
+@pytest.mark.parametrize(
+    "equations", [("a = a + 1",), ("a = 1", "b = 2", "a = b"), ("a = b", "b = a + 1"), ("a = 1", "2*a = 3")]
+)
+def test_contradictions(equations: tuple[str, ...]) -> None:
+    with pytest.raises(BalanceProblem) as caught:
+        simplified(model(*equations))
+    assert set(caught.value.codes) == {"alias.contradiction"}
+    assert all(d.span is not None and d.names for d in caught.value.diagnostics)
+
+
+def test_two_values_name_both_lines() -> None:
+    with pytest.raises(BalanceProblem) as caught:
+        simplified(model("a = 1", "b = 2", "a = b"))
+    messages = " ".join(d.message for d in caught.value.diagnostics)
+    assert "test.mo:3" in messages
+    assert "1.0" in messages
+    assert "2.0" in messages
+
+
+@st.composite
+def linear_models(draw: st.DrawFn) -> tuple[list[str], list[str]]:
+    """A small linear ODE, and the same with every use of a variable going through its own alias."""
+    n = draw(st.integers(2, 4))
+    plain: list[str] = []
+    with_aliases: list[str] = []
+    for i in range(n):
+        terms = [(draw(st.integers(-3, 3)), j) for j in range(n)]
+        plain.append(f"der(x{i}) = 1 + " + " + ".join(f"({a})*x{j}" for a, j in terms))
+        with_aliases.append(f"der(x{i}) = 1 + " + " + ".join(f"({a})*c{i}.x{j}" for a, j in terms))
+        for j in range(n):
+            sign = draw(st.sampled_from(["", "-"]))
+            with_aliases += [f"c{i}.x{j} = {sign}m{i}.x{j}", f"{sign}m{i}.x{j} - x{j} = 0"]
+    return plain, draw(st.permutations(with_aliases))
+
+
+@given(linear_models())
+def test_aliases_do_not_change_the_solution(models: tuple[list[str], list[str]]) -> None:
+    plain, with_aliases = (causalise(model(*equations)) for equations in models)
+    assert set(plain.states) == set(with_aliases.states)
+    assert len(with_aliases.aliases) == 2 * len(plain.states) ** 2
+    states = {name: 0.3 + 0.2 * i for i, name in enumerate(plain.states)}
+    expected, found = run(plain, states), run(with_aliases, states)
+    for name, value in expected.items():
+        assert found[name] == pytest.approx(value)
+
+
+def test_a_chain_of_ten_thousand_aliases() -> None:
+    equations = [f"v{i} = v{i + 1}" for i in range(10000)]
+    found = simplified(model(*equations[::-1], "der(v5000) = 1"))
+    assert len(found.aliases) == 10000
+    assert [v.name for v in found.unknowns] == ["v5000"]
+
+
+def test_every_error_is_typed() -> None:
+    with pytest.raises(AcausalError):
+        causalise(model("a = b", "b = c", "c = a"))
