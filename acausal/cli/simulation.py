@@ -13,6 +13,16 @@ from acausal.errors import UsageProblem, fail
 from acausal.simulate.result import Result
 
 _SHOWN = 40
+_COSTS = (
+    "solver",
+    "stop_time",
+    "steps",
+    "rhs_evaluations",
+    "jacobian_evaluations",
+    "events",
+    "cpu_seconds",
+    "real_time_factor",
+)
 _PLOTS = (".png", ".svg", ".pdf")
 
 
@@ -96,7 +106,7 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
     statistics = asdict(result.statistics)
     return {
         "model": result.system.flat.name,
-        **statistics,
+        **{key: statistics[key] for key in _COSTS},
         "final": result.final(names),
         "result": None if run.output is None else str(run.output),
     }
@@ -115,9 +125,10 @@ def print_run(result: Result, names: tuple[str, ...], run: Run) -> None:
     if assumed:
         more = f" and {len(assumed) - _SHOWN} more" if len(assumed) > _SHOWN else ""
         print_text(f"\nassumed at the start, since not fixed: {', '.join(assumed[:_SHOWN])}{more}")
+    changes = f", {cost.state_selections} changes of states" if cost.state_selections else ""
     print_text(
         f"\n{cost.solver}: {cost.steps} steps, {cost.rhs_evaluations} evaluations, "
-        f"{cost.jacobian_evaluations} Jacobians, {cost.events} events\n"
+        f"{cost.jacobian_evaluations} Jacobians, {cost.events} events{changes}\n"
         f"{cost.cpu_seconds:.3g} s of CPU time, {cost.real_time_factor:.3g} times real time"
     )
     for file in (run.output, run.plot):

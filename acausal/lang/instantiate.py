@@ -19,7 +19,7 @@ from acausal.lang.component_prefixes import (
     inherit_kind,
     with_causality,
 )
-from acausal.lang.flat import Causality, ScalarType
+from acausal.lang.flat import Causality
 from acausal.lang.instance import Absent, Array, Instance, Leaf, Member, Outer, Prefixes
 from acausal.lang.instance_errors import (
     check_instantiable,
@@ -270,13 +270,11 @@ class Instantiator:
             return self._element(plan, simple, plan.path, modifier, instance)
         sizes = self._building[instance, name]
         shape = array_shape(self._translation, written, modifier, plan.path, plan.declaration.span, sizes)
-        inner = NO_MODIFIER if simple is None else simple.spread
-        depth = len(shape) - (0 if simple is None else sum(len(d.items) for d, _ in simple.dimensions))
 
         def build(path: str, part: Modifier) -> Member:
             return self._element(plan, simple, path, part, instance)
 
-        return _array(plan, shape, None if simple is None else simple.scalar, (modifier, inner, depth), build)
+        return _array(plan, shape, simple, modifier, build)
 
     def _element(
         self, plan: _Plan, simple: SimpleType | None, path: str, modifier: Modifier, instance: Instance
@@ -333,17 +331,18 @@ class Instantiator:
 def _array(
     plan: _Plan,
     shape: tuple[int, ...],
-    scalar: ScalarType | None,
-    modifiers: tuple[Modifier, Modifier, int],
+    simple: SimpleType | None,
+    modifier: Modifier,
     build: Callable[[str, Modifier], Member],
 ) -> Array:
-    """The elements, row by row. `modifiers` are the component's, its array type's, and where that begins."""
+    """The elements, row by row; what array types say of all their elements is added where those begin."""
     items: list[Member] = []
-    modifier, inner, type_depth = modifiers
+    spread = () if simple is None else simple.spread
 
     def fill(index: str, part: Modifier, depth: int) -> None:
-        if depth == type_depth and inner is not NO_MODIFIER:
-            part = merge(part, inner, plan.path)
+        for inner, rank in spread:
+            if depth == len(shape) - rank:
+                part = merge(part, inner, plan.path)
         if depth == len(shape):
             items.append(build(f"{plan.path}[{index}]", part))
             return
@@ -351,6 +350,7 @@ def _array(
             fill(f"{index},{i + 1}" if index else str(i + 1), element_of(part, i, shape[depth]), depth + 1)
 
     fill("", modifier, 0)
+    scalar = None if simple is None else simple.scalar
     return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
 
 

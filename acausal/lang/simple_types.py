@@ -29,7 +29,8 @@ class SimpleType:
     """A predefined or enumeration type reached through type definitions, with what they add on the way.
 
     `dimensions` are those of array types with the class they are written in, outermost first. `spread` holds
-    attributes of such an array type, to be split over its elements: `type V = Real[3](min = {1, 2, 3})`.
+    attributes of such array types, to be split over the elements of their dimensions, whose number stands
+    beside them: `type V = Real[3](min = {1, 2, 3})`.
     """
 
     scalar: ScalarType
@@ -38,7 +39,7 @@ class SimpleType:
     dimensions: tuple[tuple[ast.Subscripts, Scope], ...]
     causality: Causality
     connector: bool = False
-    spread: Modifier = NO_MODIFIER
+    spread: tuple[tuple[Modifier, int], ...] = ()
 
 
 class SimpleTypes:
@@ -82,7 +83,9 @@ def _derived(scope: Scope, simple: SimpleType) -> SimpleType:
     if dimensions:
         modifier, split = _split(modifier)
         with_attributes(simple, split, scope.path)
-        spread = merge(split, spread)
+        if not split.is_empty:
+            rank = sum(len(subscripts.items) for subscripts, _ in dimensions)
+            spread = ((split, rank), *spread)
     attributes = with_attributes(simple, modifier, scope.path)
     causality = simple.causality
     definition = scope.definition

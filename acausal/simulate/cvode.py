@@ -28,7 +28,14 @@ from acausal.simulate.solver import Arrival, Tolerances, Work
 SPARSE_FROM = 50
 """From this number of states on, the linear solver is sparse (SuperLU) instead of dense."""
 
+BATCH = 20_000
+"""Steps that CVODE may take before it is asked how far it got."""
+COLLAPSE = 1e-6
+"""A batch that covers no more than this share of the simulated time is a collapse of the step size."""
+_TOO_MUCH_WORK, _COLLAPSED = -1, -1000
+
 _CAUSES = {
+    _COLLAPSED: ("simulate.step-collapse", f"{BATCH} steps hardly moved it"),
     -1: ("simulate.too-many-steps", "too many steps were needed"),
     -2: ("simulate.tolerance", "the tolerance asks for more accuracy than numbers of 64 bits have"),
     -3: ("simulate.step-too-small", "the error test failed with the smallest step"),
@@ -49,8 +56,7 @@ class _Roots:
 
     def __call__(self, t: float, y: Vector, events: Vector, /) -> None:
         evaluator = self._evaluator
-        evaluator.t[0] = t
-        evaluator.x[:] = y[: evaluator.x.size]
+        evaluator.at(t, y[: evaluator.x.size])
         evaluator.event()
         events[:] = evaluator.roots
 
@@ -71,6 +77,7 @@ class Cvode:
         self._steps = self._finished_steps = 0
         self._latest = -np.inf
         self._settled = False
+        self._time = -np.inf
         pattern = evaluator.code.jac.sparsity_out(0)
         rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
         self._rows, self._columns = rows, columns
@@ -83,9 +90,7 @@ class Cvode:
         ones = np.ones(len(self._rows))
         limits = self._tolerances
         with warnings.catch_warnings():
-            warnings.simplefilter(
-                "ignore"
-            )  # it says that the pattern is not used for differences: it is exact
+            warnings.simplefilter("ignore")  # the pattern is not used for differences: it is exact
             return CVODE(
                 self._derivatives,
                 jacfn=self._sparse_jacobian if self._sparse else self._dense_jacobian,
@@ -97,7 +102,7 @@ class Cvode:
                 atol=limits.atol if limits.atol.size else 1.0,
                 min_step=limits.min_step,
                 max_step=max(limits.max_step, limits.min_step) if limits.max_step else np.inf,
-                max_num_steps=limits.max_steps,
+                max_num_steps=min(limits.max_steps, BATCH),
                 eventsfn=self._roots,
                 num_events=self._evaluator.m.size,
             )
@@ -116,12 +121,8 @@ class Cvode:
         if not evaluator.x.size:
             yp[0] = 0.0
             return
-        evaluator.t[0] = t
-        evaluator.x[:] = y
-        if evaluator.guess.size:
-            evaluator.evaluate()
-        else:
-            evaluator.ode()
+        evaluator.at(t, y)
+        evaluator.solve()
         yp[:] = evaluator.xdot
 
     def _count_jacobian(self) -> None:
@@ -149,35 +150,50 @@ class Cvode:
         self._finished_steps += self._steps
         self._steps = 0
         self._settled = False
-        self._latest = time
+        self._latest = self._time = time
         self._cvode.init_step(time, x if x.size else np.zeros(1))
 
     def advance(self, target: float, stop: float) -> Arrival:
-        with redirect_stdout(None):  # scikit-sundae prints what it also returns
-            found = self._cvode.step(target, method="normal", tstop=stop)
-        time = float(found.t)
-        x = found.y[: self._evaluator.x.size]
-        if found.status < 0:
-            raise self._failure(found, x)
-        if found.status == 2 and found.i_events is not None and self._roots is not None:
-            crossed = np.asarray(found.i_events[-1], dtype=np.int_)
-            self._roots.forget()
-            return Arrival(time, x, crossed)
-        if self.work.steps > self._tolerances.max_steps:
-            raise self._failure(found, x)
-        return Arrival(time, x)
+        """To `target` in pieces that end where the slope of an input jumps: as many as there are kinks."""
+        while True:
+            kink = self._evaluator.inputs.next_kink(self._time)
+            if kink >= target:
+                return self._advance(target, min(stop, kink))
+            arrival = self._advance(kink, kink)
+            if arrival.crossed is not None:
+                return arrival
+            self.restart(arrival.time, arrival.x)
 
-    def _failure(self, found: CVODEResult, x: Vector) -> Exception:
+    def _advance(self, target: float, stop: float) -> Arrival:
+        """To `target` without a kink in between, in batches of steps each of which must make progress."""
+        size = self._evaluator.x.size
+        for _ in range(self._tolerances.max_steps // BATCH + 1):
+            with redirect_stdout(None):  # scikit-sundae prints what it also returns
+                found = self._cvode.step(target, method="normal", tstop=stop)
+            before, self._time = self._time, float(found.t)
+            if found.status == 2 and found.i_events is not None and self._roots is not None:
+                crossed = np.asarray(found.i_events[-1], dtype=np.int_)
+                self._roots.forget()
+                return Arrival(self._time, found.y[:size], crossed)
+            exhausted = found.status == _TOO_MUCH_WORK
+            if found.status < 0 and not exhausted:
+                raise self._failure(found, found.status)
+            if self.work.steps > self._tolerances.max_steps:
+                raise self._failure(found, _TOO_MUCH_WORK)
+            if not exhausted:
+                return Arrival(self._time, found.y[:size])
+            if self._time - before <= COLLAPSE * max(self._tolerances.span, self._tolerances.min_step):
+                raise self._failure(found, _COLLAPSED)
+        raise self._failure(found, _TOO_MUCH_WORK)
+
+    def _failure(self, found: CVODEResult, status: int) -> Exception:
         """Explains why CVODE gave up: an equation that is not finite, or states that change too fast."""
         evaluator = self._evaluator
-        time = float(evaluator.t[0])
         if not evaluator.evaluate():
             evaluator.explain()
         time = float(found.t)
-        code, cause = _CAUSES.get(
-            found.status if found.status < 0 else -1, ("simulate.solver", found.message)
-        )
-        names = self._dominant(time, x)
+        code, cause = _CAUSES.get(status, ("simulate.solver", found.message))
+        names = self._dominant(time, found.y[: evaluator.x.size])
         return fail(
             SimulationProblem,
             code,

@@ -74,7 +74,7 @@ def integrate(point: InitialPoint, options: Options) -> Result:
     def solver(current: Evaluator) -> Solver:
         atol = options.atol * current.x_nominal
         shortest = _ROUND * max(abs(options.start_time), abs(options.stop_time))
-        limits = Tolerances(options.rtol, atol, shortest, options.max_step, options.max_steps)
+        limits = Tolerances(options.rtol, atol, shortest, options.max_step, options.max_steps, options.span)
         return SOLVERS[options.solver](current, limits)
 
     moves = (code.system.states or code.system.zero_crossings) and options.span > 0

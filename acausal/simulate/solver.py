@@ -43,13 +43,14 @@ class Work:
 
 @dataclass(frozen=True)
 class Tolerances:
-    """Relative tolerance, absolute tolerances of the states, and step limits (0: none)."""
+    """Relative tolerance, absolute tolerances of the states, step limits (0: none), and the simulated time."""
 
     rtol: float
     atol: Vector
     min_step: float
     max_step: float
     max_steps: int
+    span: float = 1.0
 
 
 class Solver(Protocol):

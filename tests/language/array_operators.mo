@@ -4,7 +4,7 @@ model Test
   Real v[2] = {3, 4};
   constant Real A[2, 2] = [1, 2; 3, 4];
   Real sums[2] = u + v - 2 * u;
-  Real inner = u * v;
+  Real scalar_product = u * v;
   Real product[2] = A * u;
   Real square[2, 2] = A ^ 2;
   Real each_one[2] = u .* v ./ {2, 2};

@@ -18,5 +18,6 @@ equation
   for i in 1:n - 1 loop
     connect(cell[i].n, cell[i + 1].p);
   end for;
-  connect(ends, {cell[1].p, cell[n].n});
+  connect(ends[1], cell[1].p);
+  connect(ends[2], cell[n].n);
 end Test;

@@ -18,4 +18,5 @@ model Test
 equation
   connect(p, r.p);
   connect(r.n, n);
+  unused.v = 3;
 end Test;

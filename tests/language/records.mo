@@ -4,6 +4,10 @@ package P
     Real x;
     Real y = 0;
   end Point;
+  record Pair
+    Real x;
+    Real y;
+  end Pair;
   record Line
     Point from;
     Point to;
@@ -23,9 +27,9 @@ package P
     parameter Line line(from = a, to = Point(y = 5, x = 4));
     parameter Point list[2] = {a, Point(6)};
     Point p = moved(a, time);
-    Point q;
+    Pair q;
     Real sum_x = sum(list.x) + line.to.y;
   equation
-    q = Point(p.y, p.x);
+    q = Pair(p.y, p.x);
   end Test;
 end P;

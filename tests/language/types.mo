@@ -4,7 +4,7 @@ model Test
   type Position = Real[3](each unit = "m", start = {1, 2, 3});
   type Frame = Position[2];
   Angle a(quantity = "Angle") = 1;
-  Position p = {time, 0, 0};
+  Position p = {1, 0, 0};
   Frame f;
   Angle angles[2](each nominal = 5, start = {0.1, 0.2});
 equation

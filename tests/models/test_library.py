@@ -15,6 +15,8 @@ LIMITS = {
     "Hydraulics.Examples.OrificeFlow": 1e-3,
     "Hydraulics.Examples.SpoolEdgeSweep": 1.0,
 }
+AT_REST = ("Hydraulics.Examples.SpoolBetweenStops", "Hydraulics.Examples.RegulatorBench")
+"""`error` is a balance of forces that holds at rest, at the end."""
 
 
 def examples() -> Iterator[str]:
@@ -41,5 +43,6 @@ def test_example(name: str) -> None:
     run = compiled.simulate(rtol=1e-8)
     assert not run.warnings
     if "error" in compiled.flat.by_name:
-        worst = float(np.max(np.abs(run.values("error"))))
+        errors = np.abs(run.values("error"))
+        worst = float(errors[-1] if name in AT_REST else np.max(errors))
         assert worst <= LIMITS.get(name, 1e-5), f"{name}: error {worst}"
