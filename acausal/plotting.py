@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Protocol
 
@@ -66,6 +67,15 @@ class Plottable(Protocol):
     def variable(self, name: str) -> Variable | None: ...
 
 
+class NotebookFigure(Figure):
+    """A figure that notebooks show; those of Matplotlib are shown only where pyplot made them."""
+
+    def _repr_png_(self) -> bytes:
+        buffer = BytesIO()
+        self.savefig(buffer, format="png", dpi=110)
+        return buffer.getvalue()
+
+
 @dataclass(frozen=True)
 class _Curve:
     name: str
@@ -83,7 +93,7 @@ def plot(result: Plottable, names: Sequence[str] | None = None, path: str | Path
     chosen = result.default_names if names is None else tuple(names)
     curves = [_curve(result, name) for name in chosen]
     panels = list(dict.fromkeys(curve.unit for curve in curves)) or [""]
-    figure = Figure(figsize=(_WIDTH, _MARGIN + _PANEL_HEIGHT * len(panels)), layout="constrained")
+    figure = NotebookFigure(figsize=(_WIDTH, _MARGIN + _PANEL_HEIGHT * len(panels)), layout="constrained")
     FigureCanvasAgg(figure)
     first: Axes | None = None
     for i, unit in enumerate(panels):

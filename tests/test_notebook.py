@@ -69,7 +69,10 @@ def test_an_error_shows_its_place_and_no_traceback(notebook: Notebook) -> None:
     assert "Traceback" not in printed
 
 
-def test_a_model_shows_itself(notebook: Notebook) -> None:
+def test_models_and_plots_show_themselves(notebook: Notebook) -> None:
     notebook.run(DECAY)
     formatted, _ = notebook.shell.display_formatter.format(notebook.model("Decay").compile())
     assert "<h3>Decay</h3>" in formatted["text/html"]
+    figure = notebook.model("Decay").compile().simulate().plot("x")
+    formatted, _ = notebook.shell.display_formatter.format(figure)
+    assert formatted["image/png"].startswith(b"\x89PNG")

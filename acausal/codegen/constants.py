@@ -38,7 +38,5 @@ def function_of_parameters(
     p = SX.sym("p", len(parameters))
     convert = Converter(dict(zip(parameters, split(p), strict=True)), {})
     missing = SX(_NOT_A_NUMBER)
-    values = [
-        column([missing if root is None else convert(root) for root in roots]) for _, roots in outputs
-    ]
+    values = [column([missing if root is None else convert(root) for root in roots]) for _, roots in outputs]
     return Function(name, [p], values, ["p"], [output for output, _ in outputs], FORWARD)

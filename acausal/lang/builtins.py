@@ -28,7 +28,7 @@ from acausal.symbolic.expressions.expr import Expr
 
 Builtin = Callable[[Sequence[AnyValue], Span], Value]
 LARGEST = 1.7976931348623157e308
-MAX_ELEMENTS = 1_000_000
+MAX_ELEMENTS = 200_000
 LARGEST_INTEGER = 2_147_483_647
 
 _MATH = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acausal.errors import AcausalError, Span, UnsupportedProblem, fail
+from acausal.errors import AcausalError, Span, TypeProblem, UnsupportedProblem, fail
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_boolean, as_scalar, type_error
 from acausal.lang.connection_nodes import connector_side
@@ -14,13 +14,14 @@ from acausal.lang.instance import Absent, Instance, leaves
 from acausal.lang.iteration import iterate
 from acausal.lang.matching_values import match_values, merge_branches
 from acausal.lang.modifiers import Context
+from acausal.lang.naming import names_in, with_names
 from acausal.lang.printer import print_expression
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, describe
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import EnumValue, Expr
 
-MAX_EQUATIONS = 5_000_000
+MAX_EQUATIONS = 1_000_000
 
 
 class Equations:
@@ -78,6 +79,12 @@ class Equations:
             raise type_error("flat.too-large", message, node.span)
 
     def _equal(self, node: ast.EqualEquation, env: Env, target: list[Equation]) -> None:
+        try:
+            self._sides(node, env, target)
+        except TypeProblem as problem:
+            raise with_names(problem, names_in(node, _component_of(env))) from None
+
+    def _sides(self, node: ast.EqualEquation, env: Env, target: list[Equation]) -> None:
         if isinstance(node.left, ast.Tuple):
             self._several_results(node, node.left, env, target)
             return
@@ -112,7 +119,7 @@ class Equations:
         branches: list[tuple[Expr, tuple[ast.Equation, ...]]] = []
         otherwise = node.otherwise
         for condition, body in node.branches:
-            test = as_boolean(self._translation.value(condition, env), condition.span)
+            test = self._test(condition, env)
             known = self._translation.decide(test)
             if known is None:
                 branches.append((test, body))
@@ -124,6 +131,13 @@ class Equations:
             return
         for equation in otherwise:
             self._equation(equation, env, target)
+
+    def _test(self, node: ast.Expression, env: Env) -> Expr:
+        """A condition."""
+        try:
+            return as_boolean(self._translation.value(node, env), node.span)
+        except TypeProblem as problem:
+            raise with_names(problem, names_in(node, _component_of(env))) from None
 
     def _conditional(
         self,
@@ -200,7 +214,7 @@ class Equations:
         if not {"condition", "message"} <= arguments.keys() <= known or len(node.call.arguments) > len(known):
             message = "`assert` takes a condition, a message and, optionally, a level"
             raise type_error("call.arguments", message, node.span, "", ("assert",))
-        condition = as_boolean(self._translation.value(arguments["condition"], env), node.span)
+        condition = self._test(arguments["condition"], env)
         level = "error"
         if "level" in arguments:
             level = self._level(arguments["level"], env)

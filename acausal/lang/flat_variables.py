@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from acausal.errors import AcausalError
+from acausal.errors import AcausalError, TypeProblem
 from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.flat import Causality, Equation, Origin, ScalarType, StateSelect, Variability, Variable
 from acausal.lang.instance import Array, Connection, Instance, Leaf, Member, Outer
 from acausal.lang.light import light_object
 from acausal.lang.modifiers import Binding
+from acausal.lang.naming import with_names
 from acausal.lang.translation import Translation
 from acausal.lang.values import assignable, describe
 from acausal.symbolic.expressions import expr as ex
@@ -64,6 +65,12 @@ class Variables:
         return found
 
     def _variable(self, leaf: Leaf, top: bool) -> Variable:
+        try:
+            return self._translated_variable(leaf, top)
+        except TypeProblem as problem:
+            raise with_names(problem, (leaf.path,)) from None
+
+    def _translated_variable(self, leaf: Leaf, top: bool) -> Variable:
         prefixes = leaf.prefixes
         binding = None if leaf.binding is None else self._binding(leaf, leaf.binding)
         causality = prefixes.causality if top else Causality.LOCAL

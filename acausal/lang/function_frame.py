@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from math import prod
 
 from acausal.errors import AcausalError, Span
@@ -11,13 +11,14 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.modifiers import Context
+from acausal.lang.naming import references_in
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
 from acausal.symbolic.expressions import expr as ex
 
-_MAX_ELEMENTS = 1_000_000
+_MAX_ELEMENTS = 200_000
 _MAX_LEVELS = 50
 
 
@@ -182,19 +183,5 @@ def declaration_order(entries: Iterable[ComponentEntry]) -> list[ComponentEntry]
 
 def _names_in(entry: ComponentEntry) -> Iterator[str]:
     """First identifiers of the references in a declaration's sizes and value."""
-    stack: list[object] = [default_of(entry), entry.clause.dimensions, entry.declaration.dimensions]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, tuple):
-            stack.extend(node)  # pyright: ignore[reportUnknownArgumentType]  # any tuple of nodes
-        elif isinstance(node, ast.ComponentReference):
-            yield node.parts[0].name
-            stack.extend(part.subscripts for part in node.parts)
-        elif isinstance(node, _NODES):
-            stack.extend(getattr(node, field.name) for field in fields(node) if field.name != "span")
-
-
-_NODES = (
-    ast.Subscripts, ast.Unary, ast.Binary, ast.If, ast.NamedArgument, ast.Iterator, ast.Call,
-    ast.ArrayConstructor, ast.Matrix, ast.Range, ast.Tuple, ast.Subscripted,
-)  # fmt: skip
+    roots = (default_of(entry), entry.clause.dimensions, entry.declaration.dimensions)
+    return (reference.parts[0].name for reference in references_in(*roots))

@@ -82,7 +82,7 @@ def _bind_arguments(
 
 
 def _no_argument(scope: Scope, entry: ComponentEntry, node: ast.Call) -> AcausalError:
-    message = f"`{scope.path}` needs a value for its input `{entry.name}`"
+    message = f"`{scope.path}` needs a value for `{entry.name}`"
     return type_error("call.arguments", message, node.span, "give it as an argument", (entry.name,))
 
 

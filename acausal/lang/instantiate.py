@@ -51,7 +51,7 @@ from acausal.lang.translation import Translation
 
 MAX_DEPTH = 100
 """Components nested deeper than this are taken for a model that contains itself."""
-MAX_MEMBERS = 2_000_000
+MAX_MEMBERS = 1_000_000
 """Bound on the components and scalars of one model."""
 
 

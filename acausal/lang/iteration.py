@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from acausal.errors import UnsupportedProblem, fail
 from acausal.lang import ast
@@ -12,20 +12,35 @@ from acausal.lang.scope import Scope
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import Value, describe, enumeration_literal, literal, scalar
 
-MAX_ITERATIONS = 1_000_000
+MAX_ITERATIONS = 200_000
 
 
-def iterate(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> list[Env]:
+def iterate(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> Iterator[Env]:
     """One environment per combination of the iterators' values, the last one running fastest."""
-    envs = [env]
+    _check_length(translation, iterators, env)
+    return _combinations(translation, iterators, env)
+
+
+def _combinations(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> Iterator[Env]:
+    if not iterators:
+        yield env
+        return
+    for value in iterator_values(translation, iterators[0], env):
+        yield from _combinations(translation, iterators[1:], env.with_locals({iterators[0].name: value}))
+
+
+def _check_length(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> None:
+    """Refuse a loop that would run without end, judged by the first values of its iterators."""
+    count = 1
     for iterator in iterators:
-        envs = [
-            e.with_locals({iterator.name: v}) for e in envs for v in iterator_values(translation, iterator, e)
-        ]
-        if len(envs) > MAX_ITERATIONS:
+        values = iterator_values(translation, iterator, env)
+        count *= len(values)
+        if count > MAX_ITERATIONS:
             message = f"this loop runs more than {MAX_ITERATIONS} times"
             raise type_error("for.too-long", message, iterator.span, "", (iterator.name,))
-    return envs
+        if not values:
+            return
+        env = env.with_locals({iterator.name: values[0]})
 
 
 def iterator_values(translation: Translation, iterator: ast.Iterator, env: Env) -> list[Value]:

@@ -126,10 +126,11 @@ def _constant(
     entry = found.entry
     if entry.clause.variability != "constant":
         raise not_a_constant(entry, found.where, parts[0])
-    holder = translation.instances.package(found.where)
+    around = None if env.context.instance is None else env.context.instance.nearest(found.where)
+    holder = around or translation.instances.package(found.where)
     member = translation.instances.member(holder, entry.name)
     assert member is not None
-    return select(translation, member, parts, env, constant=True)
+    return select(translation, member, parts, env, constant=holder.constants)
 
 
 # --------------------------------------------------------------------------- walking members

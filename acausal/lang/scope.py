@@ -158,10 +158,15 @@ class Scope:
         return found
 
     def modified(self, modifier: Modifier) -> Scope:
-        """The same class with redeclarations of its classes from outside; itself when there are none."""
+        """The same class with redeclarations of its classes from outside; itself when there are none.
+
+        Of a package also its constants count: the classes inside use them.
+        """
         if not modifier.children or self.is_predefined:
             return self
-        relevant = {name: child for name, child in modifier.children.items() if self._is_class(name, child)}
+        relevant = modifier.children
+        if self.kind != "package":
+            relevant = {name: child for name, child in relevant.items() if self._is_class(name, child)}
         if not relevant:
             return self
         key = tuple(relevant.items())
@@ -237,12 +242,12 @@ class Scope:
             scope = scope.enclosing
         return self.root.top(name)
 
-    def find_class(self, reference: ast.ComponentReference) -> Scope:
-        """The class a (dotted) type name refers to. Raises `LookupProblem`."""
+    def find_class(self, reference: ast.ComponentReference, what: str = "class") -> Scope:
+        """The class (or function) a dotted name refers to. Raises `LookupProblem`."""
         first = reference.parts[0].name
         found = self.root.top(first) if reference.global_ else self.find(first)
         if found is None:
-            raise unknown_name(first, self, reference.span, "class")
+            raise unknown_name(first, self, reference.span, what)
         if isinstance(found, FoundComponent):
             raise component_as_class(first, found.entry.declaration.span, reference.span)
         current = found

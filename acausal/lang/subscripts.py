@@ -12,7 +12,7 @@ from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, literal, subscript
 from acausal.symbolic.expressions import expr as ex
 
-MAX_SELECTED = 4_000_000
+MAX_SELECTED = 200_000
 
 
 def subscript_values(

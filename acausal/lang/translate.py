@@ -351,7 +351,7 @@ class Translator:
         return self._user_call(node, env)
 
     def _user_call(self, node: ast.Call, env: Env) -> AnyValue:
-        scope = env.context.scope.find_class(node.function)
+        scope = env.context.scope.find_class(node.function, "function")
         if scope.kind == "record":
             return construct_record(self, scope, node, env)
         results = self.results(node, env)
@@ -366,4 +366,4 @@ class Translator:
             raise too_deep_calls(node.function.text, MAX_CALL_DEPTH, node.span)
         if env.depth == 0:
             self._steps = 0
-        return call_function(self, env.context.scope.find_class(node.function), node, env)
+        return call_function(self, env.context.scope.find_class(node.function, "function"), node, env)

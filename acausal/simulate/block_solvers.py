@@ -116,7 +116,5 @@ def _unsolved(
     )
 
 
-def _problem(
-    block: Block, rows: list[int], how: Walk, code: str, what: str, hint: str
-) -> AcausalError:
+def _problem(block: Block, rows: list[int], how: Walk, code: str, what: str, hint: str) -> AcausalError:
     return block_problem(how.kind, f"simulate.{code}", what, block, how.time, rows, hint)

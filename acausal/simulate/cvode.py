@@ -21,21 +21,21 @@ from sksundae.cvode import CVODE, CVODEResult
 
 from acausal.errors import SimulationProblem, fail
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.messages import at, some
 from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, some
 from acausal.simulate.solver import Arrival, Tolerances, Work
 
 SPARSE_FROM = 50
 """From this number of states on, the linear solver is sparse (SuperLU) instead of dense."""
 
 BATCH = 20_000
-"""Steps that CVODE may take before it is asked how far it got."""
-COLLAPSE = 1e-6
-"""A batch that covers no more than this share of the simulated time is a collapse of the step size."""
+"""Steps that CVODE may take before its pace is judged."""
+SLOW_BATCHES = 4
+"""So many batches in a row at a pace at which `max_steps` do not cover the run: the step size collapsed."""
 _TOO_MUCH_WORK, _COLLAPSED = -1, -1000
 
 _CAUSES = {
-    _COLLAPSED: ("simulate.step-collapse", f"{BATCH} steps hardly moved it"),
+    _COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
     -1: ("simulate.too-many-steps", "too many steps were needed"),
     -2: ("simulate.tolerance", "the tolerance asks for more accuracy than numbers of 64 bits have"),
     -3: ("simulate.step-too-small", "the error test failed with the smallest step"),
@@ -78,6 +78,8 @@ class Cvode:
         self._latest = -np.inf
         self._settled = False
         self._time = -np.inf
+        self._slow = 0
+        self._broken: tuple[float, Vector] | None = None
         pattern = evaluator.code.jac.sparsity_out(0)
         rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
         self._rows, self._columns = rows, columns
@@ -123,7 +125,10 @@ class Cvode:
             return
         evaluator.at(t, y)
         evaluator.solve()
-        yp[:] = evaluator.xdot
+        slope = evaluator.xdot
+        if not slope.dot(slope) < np.inf and np.isfinite(y).all():
+            self._broken = t, y.copy()
+        yp[:] = slope
 
     def _count_jacobian(self) -> None:
         self._jacobian_evaluations += 1
@@ -150,6 +155,7 @@ class Cvode:
         self._finished_steps += self._steps
         self._steps = 0
         self._settled = False
+        self._broken = None
         self._latest = self._time = time
         self._cvode.init_step(time, x if x.size else np.zeros(1))
 
@@ -165,33 +171,46 @@ class Cvode:
             self.restart(arrival.time, arrival.x)
 
     def _advance(self, target: float, stop: float) -> Arrival:
-        """To `target` without a kink in between, in batches of steps each of which must make progress."""
+        """To `target` without a kink in between, in batches of steps at whose ends the pace is judged."""
         size = self._evaluator.x.size
-        for _ in range(self._tolerances.max_steps // BATCH + 1):
+        limit = self._tolerances.max_steps
+        for _ in range(limit // BATCH + 1):
             with redirect_stdout(None):  # scikit-sundae prints what it also returns
                 found = self._cvode.step(target, method="normal", tstop=stop)
-            before, self._time = self._time, float(found.t)
-            if found.status == 2 and found.i_events is not None and self._roots is not None:
-                crossed = np.asarray(found.i_events[-1], dtype=np.int_)
-                self._roots.forget()
-                return Arrival(self._time, found.y[:size], crossed)
+            time = float(found.t)
             exhausted = found.status == _TOO_MUCH_WORK
             if found.status < 0 and not exhausted:
                 raise self._failure(found, found.status)
-            if self.work.steps > self._tolerances.max_steps:
+            if self.work.steps > limit:
                 raise self._failure(found, _TOO_MUCH_WORK)
-            if not exhausted:
-                return Arrival(self._time, found.y[:size])
-            if self._time - before <= COLLAPSE * max(self._tolerances.span, self._tolerances.min_step):
-                raise self._failure(found, _COLLAPSED)
-        raise self._failure(found, _TOO_MUCH_WORK)
+            if exhausted:
+                self._judge(found, time - self._time)
+                self._time = time
+                continue
+            self._time = time
+            self._slow = 0
+            if found.status == 2 and found.i_events is not None and self._roots is not None:
+                crossed = np.asarray(found.i_events[-1], dtype=np.int_)
+                self._roots.forget()
+                return Arrival(time, found.y[:size], crossed)
+            return Arrival(time, found.y[:size])
+        raise AssertionError("the number of steps is bounded")
+
+    def _judge(self, found: CVODEResult, progress: float) -> None:
+        """Stops a run that at its present pace would need more steps than are allowed."""
+        hopeless = progress * self._tolerances.max_steps < self._tolerances.span * BATCH
+        self._slow = self._slow + 1 if hopeless else 0
+        if self._slow >= SLOW_BATCHES:
+            raise self._failure(found, _COLLAPSED)
 
     def _failure(self, found: CVODEResult, status: int) -> Exception:
         """Explains why CVODE gave up: an equation that is not finite, or states that change too fast."""
         evaluator = self._evaluator
-        if not evaluator.evaluate():
-            evaluator.explain()
         time = float(found.t)
+        if self._broken is not None and status not in (_TOO_MUCH_WORK, _COLLAPSED):
+            evaluator.at(*self._broken)
+            if not evaluator.evaluate():
+                evaluator.explain()
         code, cause = _CAUSES.get(status, ("simulate.solver", found.message))
         names = self._dominant(time, found.y[: evaluator.x.size])
         return fail(

@@ -19,12 +19,13 @@ from numpy.typing import NDArray
 
 from acausal.errors import AcausalError, Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.messages import at, crossing_text, some
 from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, crossing_text, some
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.expr import symbols
 
 MAX_ITERATIONS = 50
+_PER_MODE = 4
 BAND = 1e-9
 """Relative to both sides' sizes: closer to zero than this, a root counts as zero."""
 _NOISE = 1e-14
@@ -65,21 +66,40 @@ def settle_modes(
     evaluator.settle()
     if not ops:
         return
-    visited: list[bytes] = []
-    history: list[Vector] = []
     at_root = crossed != 0 if crossed is not None else np.zeros(len(ops), dtype=np.bool_)
-    for _ in range(MAX_ITERATIONS):
-        wanted = _wanted(evaluator, time, x, ahead, at_root)
-        if np.array_equal(wanted, evaluator.m):
-            return
-        visited.append(evaluator.m.tobytes())
-        history.append(evaluator.m.copy())
-        if wanted.tobytes() in visited:
-            history = history[visited.index(wanted.tobytes()) :]
-            break
+    before = evaluator.m.copy()
+    circle = _iterate(evaluator, (time, x, ahead, at_root), one_by_one=False)
+    if circle:
+        evaluator.m[:] = before
+        evaluator.settle()
+        circle = _iterate(evaluator, (time, x, ahead, at_root), one_by_one=True)
+    if circle:
+        raise _cycle(system, circle, time)
+
+
+def _iterate(
+    evaluator: Evaluator, instant: tuple[float, Vector, float, NDArray[np.bool_]], one_by_one: bool
+) -> list[Vector]:
+    """Updates the modes until they agree with the values; the modes that came round again if they do not.
+
+    `one_by_one`: only the first condition that disagrees changes (Murty's least-index rule), which ends for
+    networks of diodes and clutches where updating all at once goes round in circles.
+    """
+    visited: list[Vector] = []
+    for _ in range(MAX_ITERATIONS + (_PER_MODE * len(evaluator.m) if one_by_one else 0)):
+        wanted = _wanted(evaluator, *instant)
+        different = np.flatnonzero(wanted != evaluator.m)
+        if not different.size:
+            return []
+        if one_by_one:
+            wanted = np.where(np.arange(len(wanted)) == different[0], wanted, evaluator.m)
+        visited.append(evaluator.m.copy())
+        again = [i for i, seen in enumerate(visited) if np.array_equal(seen, wanted)]
+        if again:
+            return visited[again[0] :]
         evaluator.m[:] = wanted
         evaluator.settle()
-    raise _cycle(system, history, time)
+    return visited
 
 
 def _wanted(evaluator: Evaluator, time: float, x: Vector, ahead: float, at_root: NDArray[np.bool_]) -> Vector:

@@ -9,7 +9,7 @@ where updating all at once goes round in circles).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -34,7 +34,7 @@ class _Attempt:
     """How one search went: its result, or the modes that came round again, or an error."""
 
     found: tuple[Walked, Vector] | None = None
-    circle: tuple[Vector, ...] = ()
+    circle: list[Vector] = field(default_factory=list[Vector])
     error: AcausalError | None = None
 
 
@@ -73,13 +73,13 @@ def _search(start: Vector, one_by_one: bool, solve: Solve, wanted: Wanted) -> _A
             following = np.where(np.arange(len(modes)) == first, following, modes)
         again = [i for i, seen in enumerate(visited) if np.array_equal(seen, following)]
         if again:
-            return _Attempt(circle=tuple(visited[again[0] :]))
+            return _Attempt(circle=visited[again[0] :])
         modes = following
-    return _Attempt(circle=tuple(visited))
+    return _Attempt(circle=visited)
 
 
-def _no_modes(code: Code, circle: tuple[Vector, ...]) -> AcausalError:
-    changing = np.ptp(np.array(circle), axis=0) > 0 if len(circle) > 1 else circle[0] >= 0
+def _no_modes(code: Code, circle: list[Vector]) -> AcausalError:
+    changing = np.any(np.array(circle) != circle[0], axis=0) if len(circle) > 1 else circle[0] >= 0
     crossings = [c for c, changes in zip(code.system.zero_crossings, changing, strict=True) if changes]
     texts = some([crossing_text(crossing) for crossing in crossings])
     return fail(

@@ -39,7 +39,7 @@ class UsedStart:
 
 @dataclass(frozen=True)
 class InitialPoint:
-    """The solved initial problem. `evaluator` holds parameters, inputs, modes and guesses that belong to it."""
+    """The solved initial problem. `evaluator` holds the parameters, inputs, modes and guesses of it."""
 
     evaluator: Evaluator
     time: float

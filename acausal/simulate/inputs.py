@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from acausal.codegen.functions import Code
 from acausal.errors import AcausalError, LookupProblem, SimulationProblem, UsageProblem, fail
 from acausal.lang.flat import REAL, Variable
+from acausal.simulate.call import call
+from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, number
 from acausal.simulate.names import did_you_mean
-from acausal.simulate.matrices import Vector
-from acausal.simulate.call import call
 
 Samples: TypeAlias = Sequence[float] | NDArray[np.float64]
 InputValue: TypeAlias = float | Callable[[float], float] | tuple[Samples, Samples]
@@ -108,9 +108,7 @@ def _bad_function(item: _Moving, time: float) -> AcausalError:
     return fail(SimulationProblem, "simulate.input-value", message, item.variable.span, names=[name])
 
 
-def bind_inputs(
-    code: Code, p: Vector, given: Mapping[str, InputValue], start: float, stop: float
-) -> Inputs:
+def bind_inputs(code: Code, p: Vector, given: Mapping[str, InputValue], start: float, stop: float) -> Inputs:
     """The inputs' values from `given`, else from their `start` attributes.
 
     Raises `UsageProblem` (no value, or a value that cannot be) and `LookupProblem` (no such input).
@@ -123,11 +121,11 @@ def bind_inputs(
         if variable.name not in given:
             continue
         value = _function(variable, given[variable.name], start, stop)
-        if isinstance(value, float):
-            constants[i] = value
-        else:
+        if callable(value):
             constants[i] = 0.0
             moving.append(_Moving(i, variable, value))
+        else:
+            constants[i] = value
     missing = [v for v, constant in zip(variables, constants, strict=True) if not np.isfinite(constant)]
     if missing:
         raise _missing(missing)
@@ -167,19 +165,17 @@ def _check_names(code: Code, given: Mapping[str, InputValue]) -> None:
 
 
 def _function(
-    variable: Variable, value: object, start: float, stop: float
+    variable: Variable, value: InputValue, start: float, stop: float
 ) -> float | Callable[[float], float]:
     """A constant as a float, anything else as a function of time. Raises `UsageProblem`."""
-    if isinstance(value, SupportsFloat) and not isinstance(value, tuple | list | str):
+    if isinstance(value, SupportsFloat):
         constant = _as_float(variable, value)
         if not math.isfinite(constant):
             raise _wrong(variable, f"{constant} is no value")
         return constant
     if variable.type != REAL:
         raise _wrong(variable, f"it is a {variable.type}, and only a constant can be given for it")
-    if callable(value):
-        return value
-    return _table(variable, value, start, stop)
+    return value if callable(value) else _table(variable, value, start, stop)
 
 
 def _as_float(variable: Variable, value: SupportsFloat) -> float:
@@ -189,9 +185,9 @@ def _as_float(variable: Variable, value: SupportsFloat) -> float:
         raise _wrong(variable, f"{value!r} is no number, function or table") from None
 
 
-def _table(variable: Variable, value: object, start: float, stop: float) -> Table:
+def _table(variable: Variable, value: tuple[Samples, Samples], start: float, stop: float) -> Table:
     try:
-        times, values = (np.asarray(part, dtype=float).ravel() for part in value)  # pyright: ignore[reportGeneralTypeIssues, reportUnknownVariableType]
+        times, values = (np.asarray(part, dtype=float).ravel() for part in value)
     except (TypeError, ValueError):
         raise _wrong(variable, f"{value!r} is no number, function or table (times, values)") from None
     if len(times) != len(values) or len(times) < 2:

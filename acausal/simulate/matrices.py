@@ -43,7 +43,9 @@ def solve_regular(matrix: Matrix, right: Vector) -> Vector | None:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found = np.linalg.solve(matrix, both) if isinstance(matrix, np.ndarray) else splu(matrix).solve(both)
+            found = (
+                np.linalg.solve(matrix, both) if isinstance(matrix, np.ndarray) else splu(matrix).solve(both)
+            )
     except (np.linalg.LinAlgError, RuntimeError):
         return None
     growth = np.abs(found[:, 1]).sum()

@@ -54,7 +54,9 @@ def _unknown(code: Code, name: str) -> AcausalError:
 
 def _check_tunable(variable: Variable) -> None:
     name = variable.name
-    again = f'compile the model again with it: compile({{"{name}": ...}}), or -p {name}=... on the command line'
+    again = (
+        f'compile the model again with it: compile({{"{name}": ...}}), or -p {name}=... on the command line'
+    )
     if variable.variability is Variability.CONSTANT:
         why, hint = "is a constant", "declare it as a parameter"
     elif variable.final:
@@ -144,7 +146,7 @@ def _unused(code: Code, name: str, used: list[str]) -> AcausalError:
     alias = code.system.alias_values.get(name)
     if alias is not None:
         hint = f"'{name}' equals '{to_text(alias)}': change the start value there"
-    elif variable is not None and variable.is_parameter:
+    elif variable is not None and variable.is_parameter and variable.is_fixed:
         hint = f"'{name}' is a parameter: use parameters="
     else:
         hint = did_you_mean(name, used) if variable is None else ""

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from acausal.errors import Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.messages import at
 from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
 from acausal.symbolic.expressions.text import to_text

@@ -21,10 +21,11 @@ import numpy as np
 from acausal.codegen.functions import Code, generate
 from acausal.errors import AcausalError, SimulationProblem, fail
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.messages import at, equation_text, some
 from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, some
 from acausal.symbolic.causal import DynamicStates
 from acausal.symbolic.causalise import choose_states, with_states
+from acausal.symbolic.describe import equation_with_place
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.text import to_text
 
@@ -106,14 +107,13 @@ def _present(evaluator: Evaluator) -> dict[str, float]:
 def _too_many(evaluator: Evaluator, time: float, first: float) -> AcausalError:
     dynamic = evaluator.code.system.dynamic
     monitors = dynamic.monitors if dynamic is not None else ()
-    constraints = {c.flat: c for monitor in monitors for c in monitor.constraints}
+    constraints = dict.fromkeys(equation_with_place(c.flat) for m in monitors for c in m.constraints)
     names = dict.fromkeys(n for m in monitors for n in (*m.solved_for, *m.alternatives))
-    texts = some([f"'{equation_text(c)}'" for c in constraints.values()])
     return fail(
         SimulationProblem,
         "simulate.state-selection",
         f"states were chosen anew {MOST_CHOICES} times within {time - first:.3g} s {at(time)}: "
-        f"no choice among {some(list(names))} lets the constraints {texts} be solved",
+        f"no choice among {some(list(names))} lets the constraints {some(list(constraints))} be solved",
         next((m.constraints[0].flat.span for m in monitors), None),
         names=names,
         hint="the constraints become dependent here (a dead centre, a mechanism stretched out): "

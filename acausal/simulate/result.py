@@ -14,8 +14,8 @@ import xarray as xr
 from acausal.errors import Diagnostic, LookupProblem, fail
 from acausal.lang.flat import Variable
 from acausal.simulate.initialize import UsedStart
-from acausal.simulate.names import did_you_mean
 from acausal.simulate.matrices import Vector
+from acausal.simulate.names import did_you_mean
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, neg

@@ -42,7 +42,8 @@ def simulate(
     """Initialise and integrate. What is not given comes from the `experiment` annotation, else contract.md.
 
     `parameters` changes tunable parameters and `start` start values, without compiling again. `inputs` gives
-    the model's inputs: constants, functions of time, or tables `(times, values)`. Times are in seconds. Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
+    the model's inputs: constants, functions of time, or tables `(times, values)`. Times are in seconds.
+    Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
     """
     if solver not in SOLVERS:
         hint = did_you_mean(solver, SOLVERS) or f"there is {', '.join(SOLVERS)}"
@@ -61,7 +62,8 @@ def simulate(
         max_steps=max_steps,
         has_events=bool(code.system.zero_crossings),
     )
-    return integrate(initialize(code, options.start_time, parameters, start, inputs, options.stop_time), options)
+    point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
+    return integrate(point, options)
 
 
 def integrate(point: InitialPoint, options: Options) -> Result:

@@ -43,7 +43,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Tolerances:
-    """Relative tolerance, absolute tolerances of the states, step limits (0: none), and the simulated time."""
+    """Relative tolerance, absolute tolerances of the states, step limits (0: none), simulated time."""
 
     rtol: float
     atol: Vector

@@ -29,19 +29,19 @@ _NEGLIGIBLE = 1e-10
 
 
 def independent_columns(
-    columns: Sequence[Column], groups: Sequence[Sequence[int]], n_rows: int, *, sound_first: bool = False
+    columns: Sequence[Column], groups: Sequence[Sequence[int]], n_rows: int, *, soft: int = 0
 ) -> list[tuple[int, int]]:
     """`n_rows` independent columns (fewer if there are no more) in the order chosen, each with its pivot row.
 
     `groups` lists the columns, cheapest group first and cheapest column first within a group. Within a group
     columns with a constant pivot go first, so that the choice is valid for every state wherever one such
-    choice exists greedily; then columns whose pivot is not small in its row; then the rest. With
-    `sound_first`, small pivots of any group come after all others: groups matter less than soundness. Cost:
-    that of sparse elimination of the columns tried.
+    choice exists greedily; then columns whose pivot is not small in its row; then the rest. Within
+    the first `soft` groups together, small pivots come after all others: soundness goes before the group.
+    Cost: that of sparse elimination of the columns tried.
     """
     elimination = _Elimination(columns)
     left = [list(group) for group in groups]
-    for at, demand in _passes(len(groups), sound_first):
+    for at, demand in _passes(len(groups), soft):
         left[at] = [
             column
             for column in left[at]
@@ -58,15 +58,14 @@ class _Demand(Enum):
     ANY = "any"
 
 
-def _passes(groups: int, sound_first: bool) -> list[tuple[int, _Demand]]:
+def _passes(groups: int, soft: int) -> list[tuple[int, _Demand]]:
     """Which group is looked at with which demand, in order."""
     sound = (_Demand.CONSTANT, _Demand.LARGE)
-    if sound_first:
-        return [
-            *((at, demand) for at in range(groups) for demand in sound),
-            *((at, _Demand.ANY) for at in range(groups)),
-        ]
-    return [(at, demand) for at in range(groups) for demand in (*sound, _Demand.ANY)]
+    return [
+        *((at, demand) for at in range(soft) for demand in sound),
+        *((at, _Demand.ANY) for at in range(soft)),
+        *((at, demand) for at in range(soft, groups) for demand in (*sound, _Demand.ANY)),
+    ]
 
 
 _LARGE = 0.5

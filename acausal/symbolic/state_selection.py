@@ -15,7 +15,7 @@ coefficient. Columns count in nominal values.
 
 Where a choice depends on the state, `SelectedStates.monitors` says what to watch. When it has become bad,
 `select_states` is asked again at the present point: then what is a dummy stays one where that is sound, and
-soundness goes before `stateSelect`.
+soundness goes before any `stateSelect` but `always`.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.errors import ReductionProblem, fail
+from acausal.lang.flat import StateSelect
 from acausal.symbolic.causal import CausalEquation, StateChoice, StateMonitor
 from acausal.symbolic.describe import base_name, equation_with_place, listed
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
@@ -121,9 +122,10 @@ class _Chooser:
 
     def choose(self, equations: Sequence[Eq], candidates: Sequence[Var]) -> list[Var]:
         """Of the candidates as many as equations, so that the equations can be solved for them."""
-        columns, groups = self._columns(equations, candidates), self._groups(candidates)
-        again = self._states is not None
-        picked = independent_columns(columns, groups, len(equations), sound_first=again)
+        groups = self._groups(candidates)
+        soft = 0 if self._states is None else sum(select < StateSelect.ALWAYS for select in groups)
+        columns = self._columns(equations, candidates)
+        picked = independent_columns(columns, list(groups.values()), len(equations), soft=soft)
         if len(picked) < len(equations):
             raise self._dependent([equations[row] for row in self._rows_without(equations, picked)])
         pivots = {candidates[column]: equations[row] for column, row in picked}
@@ -131,8 +133,8 @@ class _Chooser:
         self._watch(pivots)
         return sorted(pivots)
 
-    def _groups(self, candidates: Sequence[Var]) -> list[list[int]]:
-        """Candidates from least to most worth as states, in groups of equal stateSelect."""
+    def _groups(self, candidates: Sequence[Var]) -> dict[int, list[int]]:
+        """Candidates from least to most worth as states, by stateSelect in ascending order."""
         keys = [self._worth(var) for var in candidates]
         order = sorted(
             range(len(keys)), key=lambda i: (self._is_state(candidates[i]), *keys[i], -candidates[i])
@@ -140,7 +142,7 @@ class _Chooser:
         groups: dict[int, list[int]] = {}
         for i in order:
             groups.setdefault(keys[i][0], []).append(i)
-        return [groups[select] for select in sorted(groups)]
+        return {select: groups[select] for select in sorted(groups)}
 
     def _is_state(self, var: Var) -> bool:
         """Whether the variable below is a state so far."""
@@ -234,17 +236,11 @@ class _Chooser:
 
     def _watch(self, pivots: dict[Var, Eq]) -> None:
         """Note where the choice of one set and level is good only near the point."""
-        rows = [
-            Row(
-                self.reduced.equations[eq],
-                {
-                    self._below(v): a
-                    for v, a in self._coefficients(eq, frozenset(self._same_level(eq))).items()
-                },
-                self._below(var),
-            )
-            for var, eq in pivots.items()
-        ]
+        rows: list[Row] = []
+        for var, eq in pivots.items():
+            held = self._coefficients(eq, frozenset(self._same_level(eq)))
+            coefficients = {self._below(other): a for other, a in held.items()}
+            rows.append(Row(self.reduced.equations[eq], coefficients, self._below(var)))
         number = self.reduced.model.values.number
         self.monitors += state_monitors(rows, lambda a: number(a) is not None, self._number)
 

@@ -26,7 +26,8 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.api",),
     ("acausal.notebook",),
     ("acausal",),
-    ("acausal.cli", "acausal.demo", "acausal.__main__"),
+    ("acausal.cli", "acausal.demo"),
+    ("acausal.__main__",),
 )
 RANKS = {prefix: rank for rank, layer in enumerate(LAYERS) for prefix in layer}
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -213,3 +214,16 @@ def test_only_what_is_needed_is_imported(words: list[str], forbidden: str) -> No
     code = f"import sys; from acausal.cli import main; main({words!r}); print(*sys.modules, file=sys.stderr)"
     done = subprocess.run(_python("-c", code), env=ENVIRONMENT, capture_output=True, text=True, check=True)
     assert not set(forbidden.split()) & set(done.stderr.split())
+
+
+def test_a_terminal_gets_colours_and_the_same_text(
+    call: Call, working_directory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (working_directory / "U.mo").write_text("model U\n  Real level = levle;\nend U;\n")
+    plain = call("check", "U.mo").err
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    coloured = call("check", "U.mo").err
+    assert "\x1b[1;31merror\x1b[0m" in coloured
+    assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == plain

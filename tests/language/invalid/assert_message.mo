@@ -1,0 +1,6 @@
+// error: type.mismatch line 5
+model Test
+  Real x = 1;
+equation
+  assert(x > 0, 5);
+end Test;

@@ -1,0 +1,11 @@
+// error: connect.mismatch line 10 names a, b
+connector Pin
+  Real v;
+  flow Real i;
+end Pin;
+model Test
+  Pin a[2];
+  Pin b[3];
+equation
+  connect(a, b);
+end Test;

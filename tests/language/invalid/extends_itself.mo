@@ -1,0 +1,4 @@
+// error: extends.cyclic line 2 names Test
+model Test
+  extends Test;
+end Test;

@@ -1,0 +1,3 @@
+// error: model.partial line 2 names Test
+partial model Test
+end Test;

@@ -1,0 +1,4 @@
+// error: type.array-elements line 3 names x[1,1]
+model Test
+  parameter Real x[2, 2] = {{1, 2}, {3}};
+end Test;

@@ -1,0 +1,7 @@
+// error: redeclare.nothing line 6 names x
+model A
+end A;
+model Test
+  extends A;
+  redeclare Real x = 1;
+end Test;

@@ -1,0 +1,5 @@
+// error: parameter.no-value line 3 names n
+model Test
+  parameter Integer n;
+  Real x[n];
+end Test;

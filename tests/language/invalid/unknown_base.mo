@@ -1,0 +1,4 @@
+// error: lookup.unknown-class line 3 names Basis
+model Test
+  extends Basis;
+end Test;

@@ -1,0 +1,5 @@
+// error: lookup.unknown-import line 3 names Nowhere.A
+model Test
+  import Nowhere.A;
+  A a;
+end Test;

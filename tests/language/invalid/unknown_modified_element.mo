@@ -1,0 +1,7 @@
+// error: lookup.unknown-modified-element line 6 names y
+model A
+  Real x = 1;
+end A;
+model Test
+  A a(y = 2);
+end Test;

@@ -1,0 +1,6 @@
+// error: lookup.unknown-name line 5 names presure
+model Test
+  Real pressure;
+equation
+  presure = 1;
+end Test;

@@ -1,0 +1,4 @@
+// error: type.mismatch line 3 names x
+model Test
+  Real x = true;
+end Test;
