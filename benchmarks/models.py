@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def equation_chain(cells: int) -> str:
-    """A chain of masses, springs and dampers written as equations on arrays: 3 `cells` + 1 scalar equations."""
+    """Masses, springs and dampers in a chain, as equations on arrays: 3 `cells` + 1 scalar equations."""
     return f"""
 model Chain "Masses between springs and dampers, pulled at the end"
   parameter Integer n = {cells};
@@ -29,7 +29,7 @@ end Chain;
 
 
 def component_chain(cells: int) -> str:
-    """The same chain from components and connectors: about 17 scalar equations a cell, most of them aliases."""
+    """The same chain from components and connectors: 14 scalar equations a cell, most of them aliases."""
     return f"""
 package Parts
   connector Flange

@@ -1,7 +1,7 @@
-"""What does a run cost? The pressure regulator over one second, by CVODE here and by other integrators.
+"""What a run costs: the pressure regulator over one second, by CVODE here and by other integrators.
 
-Timed: integration alone, from initial values to the stored result, at the same relative tolerance and output grid.
-`ratio` is to acausal in the same run.
+Timed: integration alone, from initial values to the stored result, at the same relative tolerance and output
+grid. `ratio` is to acausal in the same run.
 """
 
 from __future__ import annotations

@@ -85,9 +85,12 @@ class Program:
 
     @cached_property
     def slots(self) -> dict[Expr, int]:
-        """Position of every input and unknown in the vector of values."""
-        leaves = [leaf for _, group in self.groups for leaf in group]
-        return {leaf: slot for slot, leaf in enumerate([*leaves, *self.unknowns])}
+        """Position of every input and unknown in the vector of values.
+
+        An input that is an unknown too (a parameter with `fixed = false`) has one slot, which is overwritten.
+        """
+        leaves = dict.fromkeys(leaf for _, group in self.groups for leaf in group)
+        return {leaf: slot for slot, leaf in enumerate(leaves | dict.fromkeys(self.unknowns))}
 
     @cached_property
     def guesses(self) -> tuple[Expr, ...]:

@@ -139,7 +139,9 @@ def _argument(
         redeclaration = redeclaration_of(element, context, argument.span, argument.replaceable)
         name = element.name if is_class else element.declarations[0].name
         return name, Modifier(redeclaration=redeclaration, final=argument.final, span=argument.span)
-    tree = modifier_of(argument.modification, context, argument.span)
+    tree = Modifier(span=argument.span)
+    if argument.modification is not None:
+        tree = modifier_of(argument.modification, context, argument.span)
     if argument.each:
         tree = _as_each(tree)
     if argument.final:

@@ -34,7 +34,7 @@ System = Callable[[Vector], tuple[Vector, Matrix]]
 
 CONVERGED = 1e-12
 ACCEPTED = 1e-8
-MAX_ITERATIONS = 100
+MAX_ITERATIONS = 500
 _HALVINGS = 40
 _ESCAPES = 4
 _PROBE = 1e-6
@@ -104,14 +104,20 @@ def _iterate(system: System, start: Vector, nominal: Vector, limit: int) -> Solu
         following = None if done else _damped(system, point, step, nominal)
         if following is None and not done and point.worst <= ACCEPTED and _is_solution(system, point):
             return Solution(point.z, True, point.scaled, iteration)
-        if following is None and escapes < _ESCAPES:
+        if done and escapes < _ESCAPES:
             escapes += 1
-            far = point.z + 10.0 ** (escapes - _ESCAPES) * point.columns * np.where(step < 0, -1.0, 1.0)
+            away = point.columns * _shape(len(start)) * np.where(step < 0, -1.0, 1.0)
+            far = point.z + 10.0 ** (escapes - _ESCAPES) * away
             following = _at(system, far, nominal)
         if following is None:
             return Solution(point.z, False, point.scaled, iteration)
         point = following
     return Solution(point.z, False, point.scaled, limit)
+
+
+def _shape(size: int) -> Vector:
+    """Different numbers around 1, so that a shift keeps no two unknowns at equal distance."""
+    return 0.5 + np.modf(np.arange(1, size + 1) * 0.6180339887498949)[0]
 
 
 def _at(system: System, z: Vector, nominal: Vector) -> _Point | None:
@@ -126,7 +132,7 @@ def _first(system: System, start: Vector, nominal: Vector) -> _Point | None:
     """The start, or a point close to it where the equations can be evaluated."""
     size = np.maximum(np.abs(start), nominal)
     for distance in (0.0, 1e-6, -1e-6, 1e-3, -1e-3, 1e-1, -1e-1, 1.0, -1.0):
-        point = _at(system, start + distance * size, nominal)
+        point = _at(system, start + distance * size * _shape(len(start)), nominal)
         if point is not None:
             return point
     return None
@@ -134,8 +140,7 @@ def _first(system: System, start: Vector, nominal: Vector) -> _Point | None:
 
 def _is_solution(system: System, point: _Point) -> bool:
     """Whether the residual is also small beside its change over a short distance."""
-    shape = 0.5 + np.modf(np.arange(1, len(point.z) + 1) * 0.6180339887498949)[0]
-    distance = _PROBE * point.columns * shape
+    distance = _PROBE * point.columns * _shape(len(point.z))
     foreseen = np.abs(np.asarray(point.jacobian @ distance, dtype=np.float64))
     change = np.abs(system(point.z + distance)[0] - point.residual)
     steep = (foreseen > 1e-3 * _PROBE * point.rows) & (change < 0.1 * foreseen)

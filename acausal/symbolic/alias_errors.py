@@ -1,12 +1,13 @@
-"""What alias elimination can find wrong: contradictions and equations that say nothing new."""
+"""What alias elimination can find wrong: contradictions, nothing new, no derivative."""
 
 from __future__ import annotations
 
-from acausal.errors import BalanceProblem, Diagnostic
+from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
 from acausal.lang.flat import Equation, FlatModel
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
 from acausal.symbolic.describe import base_name, equation_text, equation_with_place, listed
+from acausal.symbolic.expressions.diff import NotDifferentiable
 from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.expressions.text import to_text
@@ -91,3 +92,18 @@ def balanced(rest: Expr) -> tuple[Expr, Expr]:
 
 def _names(equation: Equation) -> tuple[str, ...]:
     return tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right])))
+
+
+def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
+    """The typed error for an equation that had to be differentiated."""
+    what = to_text(problem.expr)
+    error = fail(
+        ReductionProblem,
+        "reduction.not-differentiable",
+        f"the equation '{equation_text(equation)}' must be differentiated, but '{what}' "
+        f"cannot be: {problem.reason}",
+        equation.span,
+        names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
+        hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",
+    )
+    return ReductionProblem(error.diagnostics)

@@ -4,34 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from acausal.errors import BalanceProblem, ReductionProblem, fail
+from acausal.errors import BalanceProblem
 from acausal.lang.flat import Equation, FlatModel, Variability, Variable
 from acausal.symbolic.alias_classes import Classes, Link, Pinned
-from acausal.symbolic.alias_errors import balanced, no_unknown_left, redundant_link, two_values
+from acausal.symbolic.alias_errors import (
+    balanced,
+    no_unknown_left,
+    not_differentiable,
+    redundant_link,
+    two_values,
+)
 from acausal.symbolic.attributes import representative_key, signed
-from acausal.symbolic.describe import base_name, equation_text
+from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable
 from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, der, div, neg, sub, sym
 from acausal.symbolic.expressions.linear import linear_coefficient
 from acausal.symbolic.expressions.simplify import split_factor
-from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
 from acausal.symbolic.parameters import ParameterValues
-
-
-def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
-    """The typed error for an equation that had to be differentiated."""
-    what = to_text(problem.expr)
-    error = fail(
-        ReductionProblem,
-        "reduction.not-differentiable",
-        f"the equation '{equation_text(equation)}' must be differentiated, but '{what}' "
-        f"cannot be: {problem.reason}",
-        equation.span,
-        names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
-        hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",
-    )
-    return ReductionProblem(error.diagnostics)
 
 
 class AliasSearch:

@@ -63,6 +63,8 @@ class Residual:
 
 
 class BlockKind(Enum):
+    """How a block is solved."""
+
     EXPLICIT = "explicit"
     LINEAR = "linear"
     NONLINEAR = "nonlinear"
@@ -93,7 +95,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class ZeroCrossing:
-    """An event: `relation` (one of `< <= > >=` between Reals) changes its value outside noEvent and smooth."""
+    """An event: `relation`, one of `< <= > >=` between Reals outside noEvent and smooth, changes its value."""
 
     relation: Expr
     equation: CausalEquation | None
@@ -108,7 +110,7 @@ class InitialValue:
     name: str
     value: Expr
     reason: str
-    """`fixed`, `assumed` (not fixed, but needed: used as an initial equation) or `guess` (iteration start)."""
+    """`fixed`, `assumed` (not fixed, but used as an initial equation) or `guess` (iteration start)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +160,7 @@ class DynamicStates:
     """
 
     monitors: tuple[StateMonitor, ...]
-    """Their relations are the last of `CausalSystem.zero_crossings`, in this order; no equation holds them."""
+    """Their relations are the last of `CausalSystem.zero_crossings`, in this order, and in no equation."""
     reduced: Reduced
 
 

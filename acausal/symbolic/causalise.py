@@ -73,8 +73,9 @@ def _assembled(origin: Reduced, selection: SelectedStates, *, with_initial: bool
     states = tuple(leaf.name for leaf in selected.states)
     profiler = Profiler(model.values, model.flat.by_name)
     blocks = _running_blocks(reduced, selected, profiler)
-    choosing = bool(selected.monitors) or not with_initial
-    named = [entry for entry in model.named if choosing or entry.of in states]
+    chosen = set(states)
+    several = bool(selected.monitors) or not with_initial
+    named = [entry for entry in model.named if several or entry.of in chosen]
     crossings = zero_crossings(reduced.equations, model.assertions, reduced.chains)
     return CausalSystem(
         flat=model.flat,

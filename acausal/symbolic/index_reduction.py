@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from acausal.errors import ReductionProblem, fail
 from acausal.lang.flat import StateSelect, Variability
 from acausal.symbolic.alias import Simplified
-from acausal.symbolic.alias_search import not_differentiable
+from acausal.symbolic.alias_errors import not_differentiable
 from acausal.symbolic.balance import require_complete, structure
 from acausal.symbolic.causal import CausalEquation
 from acausal.symbolic.describe import base_name, equation_with_place, listed

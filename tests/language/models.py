@@ -17,7 +17,9 @@ FOLDER = Path(__file__).parent
 FEATURES = sorted(FOLDER.glob("*.mo"))
 INVALID = sorted((FOLDER / "invalid").glob("*.mo"))
 
-_EXPECTED = re.compile(r"^// error: (?P<code>\S+) line (?P<line>\d+|none)(?: names (?P<names>.*?))?(?: says (?P<says>.*))?$")
+_EXPECTED = re.compile(
+    r"^// error: (?P<code>\S+) line (?P<line>\d+|none)(?: names (?P<names>.*?))?(?: says (?P<says>.*))?$"
+)
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,7 @@ def expected_error(text: str) -> ExpectedError:
     found = _EXPECTED.match(text.partition("\n")[0])
     assert found is not None, "the first line must be `// error: CODE line N names a, b says TEXT`"
     line = None if found["line"] == "none" else int(found["line"])
-    names = tuple(name.strip() for name in (found["names"] or "").split(",") if name.strip())
+    names = tuple(name.strip() for name in (found["names"] or "").split(", ") if name.strip())
     return ExpectedError(found["code"], line, names, found["says"] or "")
 
 

@@ -28,7 +28,9 @@ _NAME = re.compile(r"\b(?!der\b|sin\b|time\b)[a-z]\w*")
 def rigid_masses(draw: st.DrawFn) -> Equations:
     """Masses in a row, neighbours joined rigidly, by a lever or by a spring; the last one may be held."""
     count = draw(st.integers(2, 5))
-    joints = draw(st.lists(st.sampled_from(["rigid", "gear", "spring"]), min_size=count - 1, max_size=count - 1))
+    joints = draw(
+        st.lists(st.sampled_from(["rigid", "gear", "spring"]), min_size=count - 1, max_size=count - 1)
+    )
     held = draw(st.booleans())
     result: Equations = [f"v{k} = der(s{k})" for k in range(count)]
     left = ["sin(3*time)", *(f"r{k}" for k in range(count - 1))]
@@ -79,7 +81,12 @@ def rewritten(equations: Equations, rng: random.Random) -> tuple[Equations, dict
     result: Equations = []
     for equation in equations:
         left, right = _NAME.sub(lambda match: renamed[match[0]], equation).split(" = ")
-        forms = [f"{left} = {right}", f"-({left}) = -({right})", f"{right} = {left}", f"({left}) - ({right}) = 0"]
+        forms = [
+            f"{left} = {right}",
+            f"-({left}) = -({right})",
+            f"{right} = {left}",
+            f"({left}) - ({right}) = 0",
+        ]
         result.append(rng.choice(forms))
     rng.shuffle(result)
     return result, renamed

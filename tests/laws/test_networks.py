@@ -1,6 +1,6 @@
 """Laws of connection networks: flows sum to zero at every node, potentials are equal, energy is conserved.
 
-Random trees of rotating bodies are joined by springs with dampers, gears and planetary gearsets, and driven by
+Random trees of rotating bodies are joined rigidly, by springs with dampers and by gears, and driven by
 torques. What must hold at every instant of the simulated motion:
 
     sum of tau over all flanges of a node = 0,
@@ -25,7 +25,9 @@ def networks(draw: st.DrawFn) -> tuple[int, list[tuple[str, int, int]], list[tup
     bodies = draw(st.integers(2, 6))
     kinds = st.sampled_from(["spring", "gear", "rigid"])
     couplings = [(draw(kinds), draw(st.integers(0, k - 1)), k) for k in range(1, bodies)]
-    torques = draw(st.lists(st.tuples(st.integers(0, bodies - 1), st.integers(-9, 9)), min_size=1, max_size=3))
+    torques = draw(
+        st.lists(st.tuples(st.integers(0, bodies - 1), st.integers(-9, 9)), min_size=1, max_size=3)
+    )
     return bodies, couplings, [(body, float(torque)) for body, torque in torques]
 
 
@@ -105,9 +107,7 @@ def test_flows_sum_to_zero_and_potentials_agree_at_every_node(
             assert np.array_equal(run.values(f"{flange}.phi"), run.values(f"{flanges[0]}.phi"))
 
 
-def _joined(
-    couplings: list[tuple[str, int, int]], torques: list[tuple[int, float]]
-) -> list[tuple[str, str]]:
+def _joined(couplings: list[tuple[str, int, int]], torques: list[tuple[int, float]]) -> list[tuple[str, str]]:
     pairs: list[tuple[str, str]] = []
     for i, (kind, a, b) in enumerate(couplings):
         if kind == "rigid":

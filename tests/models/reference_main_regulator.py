@@ -38,7 +38,7 @@ from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp  # pyright: ignore[reportUnknownVariableType]
+from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]

@@ -1,4 +1,4 @@
-"""Every example of the bundled libraries compiles and runs, and is its own test through `error` where it has one."""
+"""Every bundled example compiles and runs, and is its own test through `error` where it has one."""
 
 from __future__ import annotations
 

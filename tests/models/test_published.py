@@ -43,7 +43,7 @@ def test_pantelides_second_example() -> None:
 
 
 def test_mattsson_soederlind_linear_example() -> None:
-    """Mattsson and Soederlind 1993, section 3.1, with sources that make x1 + x2 = -sin t, x3 = sin t - cos t."""
+    """Mattsson and Soederlind 1993, the linear example: x1 + x2 = -sin t, x3 = sin t - cos t."""
     model = compiled(
         "Real x1(start = 0.5), x2, x3, x4;",
         "x1 + x2 + sin(time) = 0; x1 + x2 + x3 + cos(time) = 0; x1 + der(x3) + x4 + 1 = 0;"
@@ -120,8 +120,7 @@ def test_gear_train(stages: int) -> None:
 def test_two_coupled_incompressible_volumes() -> None:
     """Tanks joined by a rigid pipe at the bottom: levels are equal at every instant, one state, index 2."""
     model = compiled(
-        "parameter Real A1 = 2, A2 = 3, rho = 1000;"
-        "Real h1(start = 1, fixed = true), h2, p1, p2, q, inflow;",
+        "parameter Real A1 = 2, A2 = 3, rho = 1000;Real h1(start = 1, fixed = true), h2, p1, p2, q, inflow;",
         "A1*der(h1) = inflow - q; A2*der(h2) = q; p1 = rho*9.81*h1; p2 = rho*9.81*h2; p1 = p2;"
         "inflow = 0.5*sin(time);",
     )

@@ -101,10 +101,13 @@ def test_the_regulator_holds_its_pressure_against_the_flow() -> None:
 @pytest.mark.parametrize("name", ["MainRegulatorFlow", "MainRegulatorPressureRamp"])
 def test_oil_is_neither_lost_nor_made(name: str) -> None:
     """Mass that enters through the sources is stored in the volumes: the integral of the flows closes."""
-    run = acausal.load(f"TenSpeed.Examples.{name}").compile().simulate(rtol=1e-8, interval=2e-5, stop_time=0.4)
+    run = (
+        acausal.load(f"TenSpeed.Examples.{name}").compile().simulate(rtol=1e-8, interval=2e-5, stop_time=0.4)
+    )
     volumes = ("line", "valve.feedbackChamber", "valve.pilotChamber")
-    stored = sum(run.values(f"{volume}.m") for volume in volumes)
-    net = sum(run.values(f"{volume}.m_flow") for volume in volumes)
+    none = np.zeros(len(run.time))
+    stored = sum((run.values(f"{volume}.m") for volume in volumes), none)
+    net = sum((run.values(f"{volume}.m_flow") for volume in volumes), none)
     entered = np.concatenate([[0.0], np.cumsum((net[1:] + net[:-1]) / 2 * np.diff(run.time))])
     assert np.allclose(stored - stored[0], entered, atol=2e-6 * float(stored[0]))
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import acausal
 from acausal.codegen.functions import Code, generate
-from acausal.errors import AcausalError, InitializationProblem, SimulationProblem
+from acausal.errors import InitializationProblem, SimulationProblem
 from acausal.simulate.initialize import initialize
 from acausal.simulate.matrices import dependent_rows, minimum_norm, solve_regular
 from acausal.simulate.simulate import simulate
@@ -86,7 +86,9 @@ def test_contradiction_names_block_equations_and_time(size: int) -> None:
     right[0] = 2.0
     code = switching(matrix, right)
     assert np.isnan(fast(code)).any()
-    with pytest.raises(InitializationProblem, match=r"singular at time 0 s.*z0, z1.*(\n.*)*contradict") as caught:
+    with pytest.raises(
+        InitializationProblem, match=r"singular at time 0 s.*z0, z1.*(\n.*)*contradict"
+    ) as caught:
         initialize(code, 0.0)
     assert caught.value.codes[0] == "simulate.singular-block"
 
@@ -106,11 +108,11 @@ def test_jacobian_in_a_singular_mode_is_that_of_the_minimum_norm_solution() -> N
 
 
 VALVES = """
-model Valves "two ideal valves in series between a source and a volume; the node between floats when both close"
+model Valves "two ideal valves in series; the node between them floats when they close"
   Real p(start = 1, fixed = true, nominal = 1), node, q1, q2, s1, s2;
   Boolean closed = time > 0.5;
 equation
-  der(p) = -q2;
+  der(p) = q2;
   q1 = if closed then 0 else s1;
   q2 = if closed then 0 else s2;
   s1 = 3 - node;
@@ -121,7 +123,7 @@ end Valves;
 
 
 CLUTCH = """
-model Clutch "stick and slip: the torque is given while slipping, and determined by equal accelerations when stuck"
+model Clutch "slipping gives the torque, sticking equal accelerations"
   parameter Real J1 = 1, J2 = 2, tau_max = 1;
   Real w1(start = 4, fixed = true), w2(start = 0, fixed = true), tau;
   Boolean slipping;
@@ -195,14 +197,8 @@ def test_large_nonlinear_blocks_are_solved_sparse() -> None:
     names = [f"z{i}" for i in range(n)]
     z = [sym(name) for name in names]
     rows = [
-        (e.add(e.mul(z[i], z[i], z[i]), e.mul(const(2.0), z[i])), e.add(X, z[(i + 1) % n]))
-        for i in range(n)
+        (e.add(e.mul(z[i], z[i], z[i]), e.mul(const(2.0), z[i])), e.add(X, z[(i + 1) % n])) for i in range(n)
     ]
     code = generate(hand_system({"x": 4.0}, [torn(BlockKind.NONLINEAR, names, rows), rate("x", e.neg(z[0]))]))
     guess = initialize(code, 0.0).evaluator.guess
     assert guess**3 + guess == pytest.approx(np.full(n, 4.0))
-
-
-@pytest.mark.parametrize("error", [SimulationProblem, InitializationProblem])
-def test_errors_are_typed(error: type[AcausalError]) -> None:
-    assert issubclass(error, AcausalError)

@@ -6,7 +6,7 @@ import pytest
 
 import acausal
 from acausal.codegen.functions import Code
-from acausal.errors import LookupProblem, UsageProblem
+from acausal.errors import LookupProblem, UnsupportedProblem, UsageProblem
 from acausal.simulate.initialize import initialize
 from acausal.simulate.simulate import simulate
 from acausal.symbolic.causal import BlockKind
@@ -78,6 +78,21 @@ def test_start_value_that_the_initial_equations_determine_is_not_open() -> None:
     assert caught.value.codes == ("simulate.closed-start",)
     with pytest.raises(UsageProblem, match="initial equations"):
         initialize(compiled, 0.0, {"p": 1.0})
+
+
+def test_parameter_computed_from_one_that_is_determined_is_refused() -> None:
+    text = """
+    model Chained
+      parameter Real p(start = 1, fixed = false), twice = 2 * p;
+      Real x(start = 1, fixed = true);
+    equation
+      der(x) = twice - x;
+    initial equation
+      der(x) = 0;
+    end Chained;
+    """
+    with pytest.raises(UnsupportedProblem, match="'twice', which is computed from 'p'"):
+        code(text)
 
 
 def test_start_of_an_alias_says_where_to_change_it() -> None:

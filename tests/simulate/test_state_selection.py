@@ -38,7 +38,6 @@ def drift(run: Result, name: str = "E") -> float:
     return float(np.ptp(run.values(name)))
 
 
-
 @pytest.mark.parametrize(
     ("declarations", "angle", "speed"),
     [

@@ -115,10 +115,10 @@ def _dummies(
 ) -> list[Var]:
     """The dummies of one constraint set, level by level."""
     dummies: list[Var] = []
-    held = {var for eq in equations for var in reduction.incidence[eq]}
-    candidates = [var for var in held if reduction.derivative_of[var] is None]
+    highest = _held(equations, reduction)
+    candidates = [var for var in highest if reduction.derivative_of[var] is None]
     while equations:
-        held = {var for eq in equations for var in reduction.incidence[eq]}
+        held = _held(equations, reduction)
         candidates = sorted(var for var in candidates if var in held)
         chosen = _checked_choice(equations, candidates, reduction, choose)
         dummies += chosen
@@ -126,6 +126,11 @@ def _dummies(
         equations = sorted(eq for eq in lower if eq_integral[eq] is not None)
         candidates = _present(var_integral[var] for var in chosen)
     return dummies
+
+
+def _held(equations: Iterable[Eq], reduction: Reduction) -> dict[Var, None]:
+    """The variables in any of the equations, each once."""
+    return {var: None for eq in equations for var in reduction.incidence[eq]}
 
 
 def _present(items: Iterable[_Index | None]) -> list[_Index]:
