@@ -29,6 +29,8 @@ if (
     TYPE_CHECKING
 ):  # CasADi, SUNDIALS and xarray take a second to import, and checking a model needs none of them
     from acausal.codegen.functions import Code
+    from acausal.simulate.inputs import InputValue
+    from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
 
 ParameterValue: TypeAlias = float | int | bool | str | SupportsIndex | Iterable["ParameterValue"]
@@ -141,8 +143,9 @@ class CompiledModel:
         max_step: float | None = None,
         interval: float | None = None,
         solver: str = "cvode",
-        parameters: Mapping[str, float] | None = None,
+        parameters: Mapping[str, Override] | None = None,
         start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, InputValue] | None = None,
     ) -> Result:
         """Integrate from `start_time` to `stop_time` (s).
 
@@ -163,6 +166,7 @@ class CompiledModel:
             solver=solver,
             parameters=parameters,
             start=start,
+            inputs=inputs,
         )
 
     def __repr__(self) -> str:

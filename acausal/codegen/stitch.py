@@ -74,6 +74,7 @@ class _Stitcher:
         self._where: dict[Expr, tuple[int, int]] = {}
         self._vectors: list[MX] = []
         self._solved: list[MX] = []
+        self._reached = 0
         for (_, leaves), vector in zip(program.groups, self.inputs, strict=True):
             self._add(leaves, vector)
 
@@ -141,10 +142,10 @@ class _Stitcher:
         if block.kind is BlockKind.LINEAR:
             z = linear(block, known, name, self.nominals)(u)
         else:
-            start = sum(part.shape[0] for part in self._solved)
-            guess = self.guess_in[list(range(start, start + len(block.tearing)))]
+            guess = self.guess_in[self._reached : self._reached + len(block.tearing)]
             z = nonlinear(block, known, name, self.nominals)(guess, u)
         self._solved.append(z)
+        self._reached += len(block.tearing)
         self._add(block.tearing, z)
         if block.assignments:
             z_symbol, u_symbol, scope = block_scope(block, known)

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
-from acausal.lang.builtins import BUILTINS, cat
+from acausal.lang.array_functions import cat
+from acausal.lang.builtins import BUILTINS
 from acausal.lang.flat import INTEGER, REAL
 from acausal.lang.iteration import iterate, iterator_values
 from acausal.lang.translation import Env, Translation

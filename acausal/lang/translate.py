@@ -7,17 +7,11 @@ of a parameter by its path. Parameters that were evaluated are remembered as str
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from acausal.errors import Diagnostic, Span, TypeProblem, UnsupportedProblem, fail
+from acausal.errors import Diagnostic, Span, UnsupportedProblem, fail
 from acausal.lang import ast
 from acausal.lang.arithmetic import (
-    RELATIONS,
-    as_boolean,
     as_scalar,
     as_value,
-    binary,
-    choose,
     type_error,
     unary,
 )
@@ -29,6 +23,7 @@ from acausal.lang.instance import Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
 from acausal.lang.modifiers import Binding, Context
+from acausal.lang.operations import binary_value, if_value
 from acausal.lang.parameter_errors import (
     bad_part,
     cyclic_parameter,
@@ -198,7 +193,7 @@ class Translator:
         if isinstance(node, ast.ComponentReference):
             return self._reference(node, env)
         if isinstance(node, ast.Binary):
-            return self._binary(node, env)
+            return binary_value(self, node, env)
         if isinstance(node, (ast.RealLiteral, ast.IntegerLiteral, ast.BooleanLiteral, ast.StringLiteral)):
             return literal(node.value)
         if isinstance(node, ast.Unary):
@@ -206,7 +201,7 @@ class Translator:
         if isinstance(node, ast.Call):
             return self._call(node, env)
         if isinstance(node, ast.If):
-            return self._if(node, env)
+            return if_value(self, node, env)
         return self._other(node, env)
 
     def _other(self, node: ast.Expression, env: Env) -> AnyValue:
@@ -228,81 +223,6 @@ class Translator:
         what = "`:`" if isinstance(node, ast.Colon) else "a function as an argument"
         message = f"{what} is not supported here"
         raise fail(UnsupportedProblem, "unsupported.expression", message, node.span)
-
-    def _binary(self, node: ast.Binary, env: Env) -> AnyValue:
-        if not isinstance(node.left, ast.Binary):
-            return self._operation(node, self.value(node.left, env), self.value(node.right, env), env)
-        spine: list[ast.Binary] = []
-        left: ast.Expression = node
-        while isinstance(left, ast.Binary):
-            spine.append(left)
-            left = left.left
-        if len(spine) > 8 and all(link.operator == "+" for link in spine):
-            return self._long_sum(left, spine, env)
-        value = self.value(left, env)
-        for link in reversed(spine):
-            value = self._operation(link, value, self.value(link.right, env), env)
-        return value
-
-    def _operation(self, node: ast.Binary, left: AnyValue, right: AnyValue, env: Env) -> Value:
-        """One binary operation. Relations in functions raise no events (8.5)."""
-        value = binary(node.operator, left, right, node.span)
-        if env.depth and node.operator in RELATIONS and not value.shape:
-            return scalar(value.type, ex.no_event(value.item))
-        return value
-
-    def _long_sum(self, first: ast.Expression, spine: Sequence[ast.Binary], env: Env) -> AnyValue:
-        """`a + b + c + ...` in one step, because sums are flat."""
-        terms = [self.value(first, env), *[self.value(link.right, env) for link in reversed(spine)]]
-        plain = [t for t in terms if isinstance(t, Value) and not t.shape and t.type.is_numeric]
-        if len(plain) == len(terms):
-            type_ = INTEGER if all(t.type == INTEGER for t in plain) else REAL
-            return scalar(type_, ex.add(*[t.item for t in plain]))
-        value = terms[0]
-        for link, term in zip(reversed(spine), terms[1:], strict=True):
-            value = binary(link.operator, value, term, link.span)
-        return value
-
-    def _if(self, node: ast.If, env: Env) -> AnyValue:
-        value: AnyValue | None = None
-        pending: list[tuple[Expr, ast.Expression]] = []
-        for condition, branch in node.branches:
-            test = as_boolean(self.value(condition, env), condition.span)
-            if test.is_const:
-                if test.value:
-                    value = self.value(branch, env)
-                    break
-                continue
-            pending.append((test, branch))
-        if value is None:
-            value = self._untaken(pending, node.otherwise, env)
-        for test, branch in reversed(pending):
-            value = self._branch(test, branch, value, env)
-        return value
-
-    def _untaken(
-        self, pending: Sequence[tuple[Expr, ast.Expression]], otherwise: ast.Expression, env: Env
-    ) -> AnyValue:
-        """The last branch, or the one that parameters decide for if the last makes no sense then."""
-        try:
-            return self.value(otherwise, env)
-        except TypeProblem:
-            for test, branch in pending:
-                if self.decide(test):
-                    return self.value(branch, env)
-            raise
-
-    def _branch(self, test: Expr, branch: ast.Expression, otherwise: AnyValue, env: Env) -> AnyValue:
-        """One `if`; where the branches do not fit together (sizes, indices), parameters must decide it."""
-        taken: AnyValue | None = None
-        try:
-            taken = self.value(branch, env)
-            return choose(test, taken, otherwise, branch.span)
-        except TypeProblem:
-            decided = self.decide(test)
-            if decided is None or (decided and taken is None):
-                raise
-            return taken if decided and taken is not None else otherwise
 
     # ------------------------------------------------------------------ references and calls
 

@@ -152,9 +152,9 @@ class EventGuard:
     system: CausalSystem
     span: float
     count: int = 0
-    _recent: deque[tuple[float, Vector]] = field(default_factory=lambda: deque(maxlen=ZENO_EVENTS))
+    _recent: deque[tuple[float, NDArray[np.bool_]]] = field(default_factory=lambda: deque(maxlen=ZENO_EVENTS))
 
-    def add(self, time: float, changed: Vector) -> None:
+    def add(self, time: float, changed: NDArray[np.bool_]) -> None:
         """Notes one event instant; raises `SimulationProblem` (`simulate.zeno`) where they accumulate."""
         self.count += 1
         self._recent.append((time, changed))

@@ -14,6 +14,7 @@ pivot the dummy derivatives in the same way.
 from __future__ import annotations
 
 from collections import deque
+from time import process_time
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -45,6 +46,8 @@ class Reselection:
 
     def __init__(self, evaluator: Evaluator, span: float) -> None:
         self.count = 0
+        self.compiling = 0.0
+        """CPU seconds spent on compiling systems, which is no part of the run."""
         self._origin = evaluator.code
         self._span = span
         self._recent: deque[float] = deque(maxlen=MOST_CHOICES)
@@ -82,7 +85,9 @@ class Reselection:
         known = _variants.setdefault(system.dynamic, {})
         key = (chosen.states, tuple(monitor.relation for monitor in chosen.monitors))
         if key not in known:
+            began = process_time()
             known[key] = generate(with_states(system, chosen))
+            self.compiling += process_time() - began
         return known[key]
 
     def _count(self, evaluator: Evaluator, time: float) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from acausal.simulate.record import Recorder
 from acausal.simulate.reselect import Reselection
 from acausal.simulate.solver import Solver, Work
 
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 _AHEAD = 1e-9
 """How far to look forward for the side of a zero root, relative to the simulated time."""
 _ROUND = 64 * np.finfo(float).eps
@@ -33,10 +35,14 @@ def grid(options: Options) -> Iterator[float]:
 
 @dataclass(frozen=True)
 class Course:
-    """How a run went: event instants, new choices of states, and what the integrator did."""
+    """How a run went: event instants, new choices of states, and what the integrator did.
+
+    `compiling` are the CPU seconds that compiling systems with other states took.
+    """
 
     events: int
     state_selections: int
+    compiling: float
     work: Work
 
 
@@ -113,12 +119,13 @@ class _Loop:
 
     def course(self) -> Course:
         """What happened so far."""
-        return Course(self.guard.count, self.reselection.count, self._work())
+        chosen = self.reselection
+        return Course(self.guard.count, chosen.count, chosen.compiling, self._work())
 
     def _work(self) -> Work:
         return self._before if self.solver is None else self._before + self.solver.work
 
-    def _own(self, modes: Vector) -> Vector:
+    def _own(self, modes: NDArray[_Scalar]) -> NDArray[_Scalar]:
         """The modes of the model's events, without those that watch the choice of states."""
         return modes[: self.reselection.own(self.evaluator)]
 

@@ -81,7 +81,7 @@ def integrate(point: InitialPoint, options: Options) -> Result:
 
     moves = (code.system.states or code.system.zero_crossings) and options.span > 0
     course = run(evaluator, solver if moves else None, point.x, options, recorder)
-    cpu = process_time() - began
+    cpu = process_time() - began - course.compiling
     return Result(
         system=code.system,
         time=recorder.time,

@@ -80,8 +80,6 @@ class AliasSearch:
             if not changed:
                 changed = self._name_derivatives()
 
-    # ------------------------------------------------------------------ finding
-
     def _find(self, equations: Iterable[int]) -> dict[str, None]:
         """Put the aliases among `equations` into classes; the names whose class changed."""
         touched: dict[str, None] = {}
@@ -180,8 +178,6 @@ class AliasSearch:
         other = i if pinned is None else pinned.equation
         return two_values(self.flat, self.values, i, name, value, (known, other))
 
-    # ------------------------------------------------------------------ substituting
-
     def _representative(self, members: Iterable[str]) -> str:
         def key(name: str) -> tuple[object, ...]:
             return representative_key(self._unknown[name], name in self.differentiated, self._position[name])
@@ -267,8 +263,6 @@ class AliasSearch:
                 before.add(name)
                 self._occurrences.setdefault(name, []).append(i)
         self._leaves[i] = tuple(found)
-
-    # ------------------------------------------------------------------ naming derivatives
 
     def _name_derivatives(self) -> list[int]:
         """Let v be the derivative of x where an equation v = der(x) says so; the equations that changed."""

@@ -95,7 +95,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class ZeroCrossing:
-    """An event: `relation`, one of `< <= > >=` between Reals outside noEvent and smooth, changes its value."""
+    """An event: `relation`, one of `< <= > >=` between Reals outside noEvent and smooth, changes value."""
 
     relation: Expr
     equation: CausalEquation | None

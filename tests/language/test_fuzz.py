@@ -1,4 +1,4 @@
-"""Broken models end in a typed error or in a proven flat model: never in a Python exception, never in a hang."""
+"""Broken models end in a typed error or a proven flat model: never in a Python exception, never in a hang."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Laws of connection networks (Modelica 3.6, 9.2), on random trees of components with arrays of connectors."""
+"""Laws of connections (Modelica 3.6, 9.2), on random trees of components with arrays of connectors."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from acausal.lang.flat import FlatModel, Origin
 from acausal.lang.verify import verify
 from acausal.symbolic.expressions.expr import Expr
 from tests.language.models import flat_model
-from tests.laws.networks import PREAMBLE, Group, groups
+from tests.laws.connector_trees import PREAMBLE, Group, groups
 
 _BALANCES = (Origin.FLOW_BALANCE, Origin.UNCONNECTED)
 

@@ -129,7 +129,8 @@ end P;
 
 
 def slope(**parameters: float | bool | str) -> float:
-    return simulate(acausal.loads(KINDS, "P.Kinds").compile().code, parameters=parameters, rtol=1e-9).final(["x"])["x"]
+    compiled = acausal.loads(KINDS, "P.Kinds").compile().code
+    return simulate(compiled, parameters=parameters, rtol=1e-9).final(["x"])["x"]
 
 
 def test_every_type_of_parameter_can_be_changed() -> None:

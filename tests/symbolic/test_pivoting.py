@@ -63,6 +63,15 @@ def test_small_varying_pivots_come_last() -> None:
     assert chosen([small], [[0]], 1) == [0]
 
 
+def test_soundness_goes_before_soft_groups_only() -> None:
+    small, large = {0: Entry(0.01, False)}, {0: Entry(1.0, False)}
+
+    def first(soft: int) -> int:
+        return independent_columns([small, large], [[0], [1]], 1, soft=soft)[0][0]
+
+    assert [first(0), first(1), first(2)] == [0, 0, 1]
+
+
 def test_a_long_band_costs_local_work() -> None:
     n = 3000
     band: list[Column] = [

@@ -1,0 +1,108 @@
+"""Binary operators and `if` in expressions, with what parameters decide."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from acausal.errors import TypeProblem
+from acausal.lang import ast
+from acausal.lang.arithmetic import RELATIONS, as_boolean, binary, choose
+from acausal.lang.flat import INTEGER, REAL
+from acausal.lang.translation import Env, Translation
+from acausal.lang.values import AnyValue, Value, scalar
+from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import Expr
+
+
+def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyValue:
+    """`left operator right`; a chain of operators is walked without recursion."""
+    if not isinstance(node.left, ast.Binary):
+        return _operation(
+            translation, node, translation.value(node.left, env), translation.value(node.right, env), env
+        )
+    spine: list[ast.Binary] = []
+    left: ast.Expression = node
+    while isinstance(left, ast.Binary):
+        spine.append(left)
+        left = left.left
+    if len(spine) > 8 and all(link.operator == "+" for link in spine):
+        return _long_sum(translation, left, spine, env)
+    value = translation.value(left, env)
+    for link in reversed(spine):
+        value = _operation(translation, link, value, translation.value(link.right, env), env)
+    return value
+
+
+def _operation(
+    translation: Translation, node: ast.Binary, left: AnyValue, right: AnyValue, env: Env
+) -> Value:
+    """One binary operation. Relations in functions raise no events (8.5)."""
+    value = binary(node.operator, left, right, node.span)
+    if env.depth and node.operator in RELATIONS and not value.shape:
+        return scalar(value.type, ex.no_event(value.item))
+    return value
+
+
+def _long_sum(
+    translation: Translation, first: ast.Expression, spine: Sequence[ast.Binary], env: Env
+) -> AnyValue:
+    """`a + b + c + ...` in one step, because sums are flat."""
+    terms = [translation.value(first, env), *[translation.value(link.right, env) for link in reversed(spine)]]
+    plain = [t for t in terms if isinstance(t, Value) and not t.shape and t.type.is_numeric]
+    if len(plain) == len(terms):
+        type_ = INTEGER if all(t.type == INTEGER for t in plain) else REAL
+        return scalar(type_, ex.add(*[t.item for t in plain]))
+    value = terms[0]
+    for link, term in zip(reversed(spine), terms[1:], strict=True):
+        value = binary(link.operator, value, term, link.span)
+    return value
+
+
+def if_value(translation: Translation, node: ast.If, env: Env) -> AnyValue:
+    """`if c1 then a elseif c2 then b else c`; a condition known at compile time takes its branch."""
+    value: AnyValue | None = None
+    pending: list[tuple[Expr, ast.Expression]] = []
+    for condition, branch in node.branches:
+        test = as_boolean(translation.value(condition, env), condition.span)
+        if test.is_const:
+            if test.value:
+                value = translation.value(branch, env)
+                break
+            continue
+        pending.append((test, branch))
+    if value is None:
+        value = _untaken(translation, pending, node.otherwise, env)
+    for test, branch in reversed(pending):
+        value = _branch(translation, test, branch, value, env)
+    return value
+
+
+def _untaken(
+    translation: Translation,
+    pending: Sequence[tuple[Expr, ast.Expression]],
+    otherwise: ast.Expression,
+    env: Env,
+) -> AnyValue:
+    """The last branch, or the one that parameters decide for if the last makes no sense then."""
+    try:
+        return translation.value(otherwise, env)
+    except TypeProblem:
+        for test, branch in pending:
+            if translation.decide(test):
+                return translation.value(branch, env)
+        raise
+
+
+def _branch(
+    translation: Translation, test: Expr, branch: ast.Expression, otherwise: AnyValue, env: Env
+) -> AnyValue:
+    """One `if`; where the branches do not fit together (sizes, indices), parameters must decide it."""
+    taken: AnyValue | None = None
+    try:
+        taken = translation.value(branch, env)
+        return choose(test, taken, otherwise, branch.span)
+    except TypeProblem:
+        decided = translation.decide(test)
+        if decided is None or (decided and taken is None):
+            raise
+        return taken if decided and taken is not None else otherwise

@@ -1,0 +1,72 @@
+"""Runs that fail: quickly, with one message, and without a word from CasADi or SUNDIALS."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+import acausal
+from acausal.errors import SimulationProblem
+
+MODELS = {
+    "escape": ("der(x) = x * x;", "simulate.step-too-small"),
+    "infinite": ("der(x) = 1 / (0.5 - time);", "simulate."),
+    "logarithm": ("der(x) = log(x - 0.9) - 1;", "simulate.not-finite"),
+    "root": ("z = sqrt(0.5 - time); der(x) = -z;", "simulate.not-finite"),
+    "loop": ("z * z + z ^ 3 * 1e-9 = 0.5 - time; der(x) = z;", "simulate.no-solution"),
+    "sliding": ("der(x) = noEvent(if x > 0 then -1 else 1);", "simulate.step-collapse"),
+    "chatter": ("der(x) = -1e6 * noEvent(sign(x - time));", "simulate.step-collapse"),
+}
+
+
+@pytest.mark.parametrize("name", sorted(MODELS))
+def test_failure_is_bounded_and_silent(name: str, capfd: pytest.CaptureFixture[str]) -> None:
+    equations, code = MODELS[name]
+    z = "z(start = 1)," if "z" in equations else ""
+    text = f"model M Real {z} x(start = 1, fixed = true); equation {equations} end M;"
+    compiled = acausal.loads(text).compile()
+    began = time.process_time()
+    with pytest.raises(SimulationProblem) as caught:
+        compiled.simulate(stop_time=2.0)
+    assert time.process_time() - began < 30.0
+    assert caught.value.codes[0].startswith(code)
+    captured = capfd.readouterr()
+    assert (captured.out, captured.err) == ("", "")
+
+
+def test_singular_blocks_are_silent_too(capfd: pytest.CaptureFixture[str]) -> None:
+    text = """
+    model S
+      Real a, b, c, d, x(start = 0, fixed = true);
+    equation
+      (0.5 - time) * a + b + c = x + 1;
+      b + (0.5 - time) * c + d = 1;
+      (0.5 - time) * c + b - d = 2;
+      (0.5 - time) * d + a * (0.5 - time) + b * (0.5 - time) = 3;
+      der(x) = a;
+    end S;
+    """
+    compiled = acausal.loads(text).compile()
+    with pytest.raises(SimulationProblem):
+        compiled.simulate(stop_time=2.0)
+    captured = capfd.readouterr()
+    assert (captured.out, captured.err) == ("", "")
+
+
+def test_the_message_names_the_point_before_the_failure() -> None:
+    text = "model L Real x(start = 1, fixed = true); equation der(x) = log(x - 0.9) - 1; end L;"
+    with pytest.raises(
+        SimulationProblem, match=r"der\(x\) is (not a number|infinite).*\n.*\n.*\n.*x = 0\.\d"
+    ):
+        acausal.loads(text).compile().simulate(stop_time=2.0)
+
+
+def test_number_of_steps_is_limited() -> None:
+    from acausal.simulate.simulate import simulate
+
+    text = "model O Real x(start = 1, fixed = true), v; equation der(x) = v; der(v) = -1e6 * x; end O;"
+    code = acausal.loads(text).compile().code
+    with pytest.raises(SimulationProblem, match="too many steps") as caught:
+        simulate(code, stop_time=10.0, max_steps=5000)
+    assert caught.value.codes == ("simulate.too-many-steps",)
