@@ -151,7 +151,8 @@ class CompiledModel:
 
         What is not given comes from the `experiment` annotation, else it is 0 to 1 s, 1e-6, 1/500 of the
         duration. `parameters` and `start` change tunable parameters and start values without compiling again.
-        Raises `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
+        `inputs` gives the model's inputs: constants, functions of time, or tables `(times, values)`. Raises
+        `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
         """
         from acausal.simulate.simulate import simulate
 
