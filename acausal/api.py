@@ -24,6 +24,7 @@ from acausal.pipeline import Compilation, Stage, compile_model, print_stage
 from acausal.sources import add_source, class_name, existing_file, searched_directories, stored_root
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.causal import Block, CausalSystem
+from acausal.symbolic.parameters import order_parameters
 
 if (
     TYPE_CHECKING
@@ -52,6 +53,7 @@ class Model:
         """Names, types, units and the balance of equations; returns warnings, raises `AcausalError`."""
         compilation = self.run({**(parameters or {}), **more}, stop_after="flat")
         assert compilation.flat is not None
+        order_parameters(compilation.flat)
         check_balance(compilation.flat)
         return compilation.warnings
 

@@ -10,6 +10,10 @@ from acausal.lang.flat import Equation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, same_fields, unify
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.text import to_text
+
+MAX_SHOWN = 60
+"""Longer sides are not quoted in messages."""
 
 
 def match_values(left: AnyValue, right: AnyValue, span: Span) -> list[tuple[Expr, Expr]]:
@@ -26,8 +30,17 @@ def match_values(left: AnyValue, right: AnyValue, span: Span) -> list[tuple[Expr
             return list(zip(left.items, right.items, strict=True))
         message = f"the two sides have different sizes: {describe(left)} and {describe(right)}"
         raise type_error("type.array-size", message, span, "", _names(left, right))
-    message = f"the two sides are {describe(left)} and {describe(right)}"
+    message = f"{_side(left)} is {describe(left)}, but {_side(right)} is {describe(right)}"
     raise type_error("type.mismatch", message, span, "both sides need one type", _names(left, right))
+
+
+def _side(value: AnyValue) -> str:
+    """A side of an equation as messages show it."""
+    if isinstance(value, Value) and not value.shape:
+        text = to_text(value.item)
+        if len(text) <= MAX_SHOWN:
+            return f"`{text}`"
+    return "one side"
 
 
 def _names(*sides: AnyValue) -> tuple[str, ...]:

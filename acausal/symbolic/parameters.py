@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from acausal.errors import Diagnostic, LookupProblem, TypeProblem
@@ -98,11 +99,11 @@ def _cyclic(flat: FlatModel, cycle: list[str]) -> LookupProblem:
 def parameter_values(flat: FlatModel) -> ParameterValues:
     """Order and evaluate all parameters and constants; those with `fixed = false` have no value yet.
 
-    Raises LookupProblem `parameter.cyclic` and TypeProblem `parameter.no-value`.
+    Raises LookupProblem `parameter.cyclic` and TypeProblem `parameter.no-value`, `parameter.out-of-range`.
     """
     order = order_parameters(flat)
     known = ParameterValues(order, {})
-    missing: list[Diagnostic] = []
+    wrong: list[Diagnostic] = []
     warnings: list[Diagnostic] = []
     for name in order:
         variable = flat.by_name[name]
@@ -110,16 +111,36 @@ def parameter_values(flat: FlatModel) -> ParameterValues:
             continue
         expr = definition(variable)
         if expr is None:
-            missing.append(_no_value(variable))
+            wrong.append(_no_value(variable))
             continue
         if variable.binding is None:
             warnings.append(_start_used(variable))
         value = known.constant(expr)
         if value is not None:
             known.values[name] = value  # where there is none, the run says why when it computes the parameter
-    if missing:
-        raise TypeProblem(missing)
+    wrong += [d for name in order for d in out_of_range(flat.by_name[name], known.values.get(name), known)]
+    if wrong:
+        raise TypeProblem(wrong)
     return replace(known, warnings=tuple(warnings))
+
+
+def out_of_range(
+    variable: Variable, value: Constant | None, known: ParameterValues
+) -> Iterator[Diagnostic]:
+    """What is wrong with `value` by the attributes `min` and `max` of its declaration (Modelica 3.6, 4.9.1)."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return
+    for word, attribute, sign in (("below", "min", 1), ("above", "max", -1)):
+        bound = variable.min if attribute == "min" else variable.max
+        limit = None if bound is None else known.number(bound)
+        if limit is not None and sign * (value - limit) < 0:
+            yield Diagnostic(
+                "parameter.out-of-range",
+                f"`{variable.name}` = {value:g} is {word} its {attribute}imum {limit:g}",
+                variable.span,
+                (variable.name,),
+                f"give it a value that is not {word} {limit:g}",
+            )
 
 
 def _no_value(variable: Variable) -> Diagnostic:

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import acausal
 from acausal.errors import LookupProblem, TypeProblem
 from acausal.symbolic.parameters import order_parameters, parameter_values
 from tests.symbolic.build import model
@@ -66,3 +67,12 @@ def test_what_cannot_be_computed_yet_has_no_value() -> None:
     known = parameter_values(model("x = b", parameters={"a": 0.0, "b": "1/a", "c": "b + 1"}))
     assert "b" not in known.values
     assert "c" not in known.values
+
+
+@pytest.mark.parametrize(("value", "word"), [(-1.0, "below"), (11.0, "above")])
+def test_a_value_outside_min_and_max_is_refused(value: float, word: str) -> None:
+    text = f"model M parameter Real k(min = 0, max = 10) = {value}; Real x; equation x = k*time; end M;"
+    with pytest.raises(TypeProblem, match=f"`k` = {value:g} is {word} its m") as caught:
+        acausal.loads(text).compile()
+    assert caught.value.codes == ("parameter.out-of-range",)
+    assert caught.value.diagnostics[0].names == ("k",)
