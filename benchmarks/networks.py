@@ -7,7 +7,7 @@ model `Net.System`. The relative chain at the end has states between its masses 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isqrt
+from math import ceil
 
 MECHANICAL = """
   connector Flange "One-dimensional translation"
@@ -198,7 +198,7 @@ GRID = """
 
 @dataclass(frozen=True)
 class Domain:
-    """Component models of one domain: scalar equations of a node and of a link, connections included."""
+    """Component models of one domain, and the scalar equations a node and a link add, connections included."""
 
     parts: str
     node: int
@@ -206,21 +206,23 @@ class Domain:
 
 
 DOMAINS = {
-    "mechanical": Domain(MECHANICAL, 5, 9),
-    "electrical": Domain(ELECTRICAL, 14, 14),
-    "hydraulic": Domain(HYDRAULIC, 4, 8),
+    "mechanical": Domain(MECHANICAL, 4, 7),
+    "electrical": Domain(ELECTRICAL, 10, 10),
+    "hydraulic": Domain(HYDRAULIC, 3, 6),
 }
 SHAPES = {"chain": CHAIN, "tree": TREE, "grid": GRID}
 
 
 def network(domain: str, shape: str, equations: int) -> str:
-    """The text of `Net.System` with at most about `equations` scalar equations."""
+    """The text of `Net.System` in the smallest size that has at least `equations` scalar equations."""
     each = DOMAINS[domain]
+    size = 2
     if shape == "grid":
-        size = isqrt(equations // (each.node + 2 * each.link))
+        while size * size * each.node + 2 * size * (size - 1) * each.link + 2 < equations:
+            size += 1
     else:
-        size = equations // (each.node + each.link)
-    body = SHAPES[shape].format(size=max(size, 2))
+        size = ceil((equations - 2 + each.link) / (each.node + each.link))
+    body = SHAPES[shape].format(size=size)
     return f"package Net\n{each.parts}\n  model System{body}  end System;\nend Net;\n"
 
 

@@ -16,7 +16,7 @@ from acausal.simulate.events import literal_modes, operators
 from acausal.simulate.initial_modes import consistent_modes
 from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import equation_text, leaf_name, number, place, some
+from acausal.simulate.messages import leaf_name, number, place, shown, some
 from acausal.simulate.overrides import Override, parameter_overrides, parameter_values, start_values
 from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.causal import Block
@@ -150,7 +150,7 @@ def _check(code: Code, values: Vector) -> None:
         if abs(residual) <= CHECK_TOLERANCE * max(size, 1e-300):
             continue
         names, span = symbols([check.value]), check.equation.flat.span
-        shown = some(
+        values = some(
             [
                 f"{n} = {number(values[code.initial.slots[sym(n)]])}"
                 for n in names
@@ -158,8 +158,8 @@ def _check(code: Code, values: Vector) -> None:
             ]
         )
         message = (
-            f"the initial values contradict '{equation_text(check.equation)}' ({place(span)}): "
-            f"it is off by {number(residual)}, with {shown}"
+            f"the initial values contradict '{shown(check.equation)}' ({place(span)}): "
+            f"it is off by {number(residual)}, with {values}"
         )
         hint = "fewer start values may be fixed: remove 'fixed = true' from one of these, or make them agree"
         problems.append(Diagnostic("initialize.inconsistent", message, check.equation.flat.span, names, hint))

@@ -6,15 +6,11 @@ from collections.abc import Iterable, Sequence
 
 from acausal.errors import AcausalError, Diagnostic, Span
 from acausal.symbolic.causal import Block, CausalEquation, ZeroCrossing
+from acausal.symbolic.describe import shown
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.expressions.text import to_text
 
 _SHOWN = 8
-
-
-def equation_text(equation: CausalEquation) -> str:
-    """`left = right` as in the flat model."""
-    return f"{to_text(equation.left)} = {to_text(equation.right)}"
 
 
 def some(names: Sequence[str]) -> str:
@@ -55,15 +51,13 @@ def block_problem(
     unknowns = [leaf_name(leaf) for leaf in block.unknowns]
     noun = "unknown" if len(unknowns) == 1 else "unknowns"
     equations = [block.residuals[i].equation for i in worst] or block_equations(block)[:1]
-    texts = some([f"'{equation_text(e)}'" for e in equations])
+    texts = some([f"'{shown(e)}'" for e in equations])
     message = (
         f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
     )
     first = Diagnostic(code, message, equations[0].flat.span, tuple(unknowns), hint)
     rest = [
-        Diagnostic(
-            code, f"involved as well: '{equation_text(e)}'", e.flat.span, tuple(symbols((e.left, e.right)))
-        )
+        Diagnostic(code, f"involved as well: '{shown(e)}'", e.flat.span, tuple(symbols((e.left, e.right))))
         for e in equations[1:_SHOWN]
     ]
     return kind([first, *rest])

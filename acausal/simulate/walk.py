@@ -16,7 +16,7 @@ from acausal.errors import AcausalError, fail
 from acausal.simulate.block_solvers import Walk, singular, solve_block
 from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, equation_text, leaf_name, values_text
+from acausal.simulate.messages import at, leaf_name, shown, values_text
 from acausal.symbolic.causal import Assignment, Block
 from acausal.symbolic.expressions.expr import Expr, unknown_leaves
 
@@ -81,7 +81,7 @@ def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], h
     return fail(
         how.kind,
         "simulate.not-finite",
-        f"{leaf_name(unknown)} is {what} {at(how.time)}, computed from '{equation_text(equation)}'",
+        f"{leaf_name(unknown)} is {what} {at(how.time)}, computed from '{shown(equation)}'",
         equation.flat.span,
         names=[leaf_name(unknown), *map(leaf_name, inputs)],
         hint=f"with {given}" if given else "",

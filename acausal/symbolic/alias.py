@@ -18,7 +18,7 @@ from acausal.lang.flat import Assertion, Equation, FlatModel, Variable
 from acausal.symbolic.alias_search import AliasSearch
 from acausal.symbolic.attributes import Member, fixed_start, merged, same_value, start_or_default
 from acausal.symbolic.causal import Alias, CausalEquation
-from acausal.symbolic.describe import equation_text, place
+from acausal.symbolic.describe import place, shown
 from acausal.symbolic.expressions.expr import Expr, sym
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
@@ -174,7 +174,7 @@ def _fixed_constant(
 def _start_against_value(variable: Variable, value: Expr, search: AliasSearch) -> InitializationProblem:
     pinned = search.classes.of(variable.name).pinned
     source = None if pinned is None else search.flat.equations[pinned.equation]
-    because = "" if source is None else f" by '{equation_text(source)}' ({place(source.span)})"
+    because = "" if source is None else f" by '{shown(source)}' ({place(source.span)})"
     problem = fail(
         InitializationProblem,
         "start.conflict",

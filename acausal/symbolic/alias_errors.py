@@ -6,7 +6,7 @@ from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
 from acausal.lang.flat import Equation, FlatModel
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
-from acausal.symbolic.describe import base_name, equation_text, equation_with_place, listed
+from acausal.symbolic.describe import base_name, cut, equation_with_place, listed, shown
 from acausal.symbolic.expressions.diff import NotDifferentiable
 from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
 from acausal.symbolic.expressions.simplify import split_factor
@@ -29,7 +29,7 @@ def _surplus(equation: Equation, names: tuple[str, ...], why: str) -> BalancePro
     return BalanceProblem(
         Diagnostic(
             "alias.loop",
-            f"the equation '{equation_text(equation)}' determines nothing: {why}",
+            f"the equation '{shown(equation)}' determines nothing: {why}",
             equation.span,
             names,
             "remove it, or replace it by the equation that is missing elsewhere",
@@ -49,7 +49,7 @@ def two_values(
         [
             Diagnostic(
                 "alias.contradiction",
-                f"the equation '{equation_text(one)}' contradicts {equation_with_place(two)}: "
+                f"the equation '{shown(one)}' contradicts {equation_with_place(two)}: "
                 f"'{name}' would be both {to_text(mine)} and {to_text(its)}",
                 one.span,
                 tuple(dict.fromkeys((name, *_names(one)))),
@@ -71,7 +71,7 @@ def no_unknown_left(
     return BalanceProblem(
         Diagnostic(
             "alias.contradiction",
-            f"'{equation_text(source)}' cannot hold: with the other equations it reads {reduced}",
+            f"'{shown(source)}' cannot hold: with the other equations it reads {reduced}",
             source.span,
             _names(source),
             "correct this equation; no values of its variables satisfy it",
@@ -96,12 +96,11 @@ def _names(equation: Equation) -> tuple[str, ...]:
 
 def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
     """The typed error for an equation that had to be differentiated."""
-    what = to_text(problem.expr)
+    what = cut(to_text(problem.expr))
     error = fail(
         ReductionProblem,
         "reduction.not-differentiable",
-        f"the equation '{equation_text(equation)}' must be differentiated, but '{what}' "
-        f"cannot be: {problem.reason}",
+        f"the equation '{shown(equation)}' must be differentiated, but '{what}' cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
         hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from acausal.errors import BalanceProblem, Diagnostic
 from acausal.lang.flat import Equation, FlatModel, Origin, Variable
-from acausal.symbolic.describe import SHOWN, dots, equation_text, equation_with_place, listed
+from acausal.symbolic.describe import SHOWN, dots, equation_with_place, listed, shown
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose, overdetermined_subset
 from acausal.symbolic.graphs.matching import Matching, maximum_matching
@@ -108,7 +108,7 @@ def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnos
     result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, _hint_over(system, part))]
     for eq in suspects[1:SHOWN]:
         equation = system.equations[eq]
-        message = f"'{equation_text(equation)}' belongs to the {len(part.equations)} equations in conflict"
+        message = f"'{shown(equation)}' belongs to the {len(part.equations)} equations in conflict"
         result.append(Diagnostic(code, message, equation.span, names[:SHOWN], "it may be the one too many"))
     return result
 
@@ -130,7 +130,7 @@ def _hint_over(system: Structure, part: Part) -> str:
     if zero:
         return (
             f"{remove}, or connect what is not connected: "
-            + listed([f"'{equation_text(equation)}'" for equation in zero])
+            + listed([f"'{shown(equation)}'" for equation in zero])
             + " stands for an unconnected connector"
         )
     if any(system.equations[eq].origin is Origin.CONNECTION for eq in part.equations):

@@ -12,11 +12,23 @@ from acausal.symbolic.expressions.text import to_text
 
 SHOWN = 5
 """How many names or equations a message lists before it says `and N more`."""
+MOST_TEXT = 100
+"""Characters of an equation or expression that a message shows."""
 
 
 def equation_text(equation: Equation | CausalEquation) -> str:
     """`left = right` as Modelica text."""
     return f"{to_text(equation.left)} = {to_text(equation.right)}"
+
+
+def shown(equation: Equation | CausalEquation) -> str:
+    """`equation_text` for a message: cut where inlined functions make it long; the place says the rest."""
+    return cut(equation_text(equation))
+
+
+def cut(text: str) -> str:
+    """At most the first `MOST_TEXT` characters."""
+    return text if len(text) <= MOST_TEXT else f"{text[:MOST_TEXT].rstrip()} ..."
 
 
 def place(span: Span) -> str:
@@ -31,7 +43,7 @@ def equation_with_place(equation: Equation) -> str:
         where += f", {equation.origin.value}"
     if equation.component:
         where += f" in {equation.component}"
-    return f"'{equation_text(equation)}' ({where})"
+    return f"'{shown(equation)}' ({where})"
 
 
 def listed(items: Sequence[str], shown: int = SHOWN) -> str:

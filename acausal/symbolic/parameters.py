@@ -124,10 +124,8 @@ def parameter_values(flat: FlatModel) -> ParameterValues:
     return replace(known, warnings=tuple(warnings))
 
 
-def out_of_range(
-    variable: Variable, value: Constant | None, known: ParameterValues
-) -> Iterator[Diagnostic]:
-    """What is wrong with `value` by the attributes `min` and `max` of its declaration (Modelica 3.6, 4.9.1)."""
+def out_of_range(variable: Variable, value: Constant | None, known: ParameterValues) -> Iterator[Diagnostic]:
+    """What is wrong with `value` by the `min` and `max` of its declaration (Modelica 3.6, 4.9.1)."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return
     for word, attribute, sign in (("below", "min", 1), ("above", "max", -1)):

@@ -1,0 +1,180 @@
+"""An explanation as text: one section for each stage, in the order in which things happened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from acausal.explain.explanation import Explanation
+from acausal.explain.words import (
+    by_whom,
+    counted,
+    cut,
+    kind_of,
+    often,
+    short,
+    unknown_texts,
+    when_not,
+    where,
+)
+from acausal.lang.flat import Origin
+from acausal.symbolic.causal import BlockKind
+from acausal.symbolic.describe import equation_text, leaf_texts, place
+from acausal.symbolic.expressions.text import to_text
+
+MOST_ROWS, MOST_NAMES, MOST_TEXT = 20, 12, 160
+
+
+def explanation_text(explanation: Explanation, *, everything: bool = False) -> str:
+    """All sections. Lists end after `MOST_ROWS` rows unless `everything` is asked for."""
+    rows = None if everything else MOST_ROWS
+    sections = (
+        ("Flat model", _flat(explanation), None),
+        _section("Aliases", "variable", _aliases(explanation), rows),
+        _section("Index reduction", "equation", _differentiated(explanation), rows, _index(explanation)),
+        _section("States", "state", _states(explanation), rows, _freedom(explanation)),
+        _section("Not states", "variable", _not_states(explanation), rows),
+        ("States chosen anew while the model runs", _dynamic(explanation), None),
+        ("Blocks", _block_counts(explanation), None),
+        _section("Loops", "loop", _loops(explanation, everything), rows),
+        ("Initial problem", _initial_counts(explanation), None),
+        _section("Start values", "start", _starts(explanation), rows),
+        _section("Zero crossings", "crossing", _crossings(explanation), rows),
+        ("Warnings", [warning.render() for warning in explanation.warnings], None),
+        ("Seconds", [", ".join(f"{k} {v:.3f}" for k, v in explanation.seconds.items())], None),
+    )
+    return "\n".join([_title(explanation), *[line for section in sections for line in _printed(*section)]])
+
+
+def _title(explanation: Explanation) -> str:
+    description = explanation.system.flat.description
+    return f"{explanation.name}: {description}" if description else explanation.name
+
+
+def _section(
+    title: str, what: str, lines: Sequence[str], most: int | None, head: Sequence[str] = ()
+) -> tuple[str, Sequence[str], str | None]:
+    """A title that counts, the first lines, and how many are left out."""
+    more = None if most is None or len(lines) <= most else f"and {len(lines) - most} more; --all shows them"
+    counted_title = f"{title}: {counted(len(lines), what)}" if lines or head else title
+    return counted_title, [*head, *lines[: most if most is not None else len(lines)]], more
+
+
+def _printed(title: str, lines: Sequence[str], more: str | None) -> Iterator[str]:
+    if lines:
+        yield ""
+        yield title
+        for line in lines:
+            yield from ("  " + part for part in line.split("\n"))
+        if more:
+            yield f"  {more}"
+
+
+def _flat(explanation: Explanation) -> list[str]:
+    flat = explanation.system.flat
+    kinds = [(origin, sum(e.origin is origin for e in flat.equations)) for origin in Origin]
+    origins = ", ".join(f"{count} {origin.value}" for origin, count in kinds if count)
+    parameters = counted(len(flat.parameters), "parameter or constant", "parameters and constants")
+    return [
+        f"{counted(len(flat.equations), 'equation')} in {counted(len(flat.unknowns), 'unknown')}, {parameters}, "
+        f"{counted(len(flat.inputs), 'input')}",
+        *([f"where the equations come from: {origins}"] if origins else []),
+    ]
+
+
+def _aliases(explanation: Explanation) -> list[str]:
+    return [
+        f"{alias.name} = {short(to_text(alias.value), MOST_TEXT)}  by {_flat_text(alias.equation)}"
+        for alias in explanation.system.aliases
+    ]
+
+
+def _flat_text(equation: object) -> str:
+    from acausal.lang.flat import Equation
+
+    assert isinstance(equation, Equation)
+    return f"'{short(equation_text(equation), MOST_TEXT)}' ({where(equation)})"
+
+
+def _index(explanation: Explanation) -> list[str]:
+    index = explanation.system.index
+    meaning = {0: "explicit differential equations", 1: "with algebraic parts, nothing to differentiate"}
+    more = f"{counted(index - 1, 'level')} of differentiation"
+    return [f"index {index}: {meaning.get(index, more)}"]
+
+
+def _differentiated(explanation: Explanation) -> list[str]:
+    return [
+        f"{_flat_text(entry.equation)} {often(entry.times)}, {by_whom(entry)}"
+        for entry in explanation.differentiated
+    ]
+
+
+def _freedom(explanation: Explanation) -> list[str]:
+    return [] if explanation.system.states else ["none: everything follows from time and parameters"]
+
+
+def _states(explanation: Explanation) -> list[str]:
+    reasons = {choice.name: choice.reason for choice in explanation.system.choices}
+    return [f"{name}  {reasons.get(name, '')}".rstrip() for name in explanation.system.states]
+
+
+def _not_states(explanation: Explanation) -> list[str]:
+    return [f"{choice.name}  {choice.reason}" for choice in explanation.system.choices if not choice.is_state]
+
+
+def _dynamic(explanation: Explanation) -> list[str]:
+    dynamic = explanation.system.dynamic
+    lines: list[str] = []
+    for monitor in dynamic.monitors if dynamic is not None else ():
+        relation, change, constraints = when_not(monitor)
+        lines.append(f"while {short(relation, MOST_TEXT)}; then {change}\n  by {constraints}")
+    return lines
+
+
+def _block_counts(explanation: Explanation) -> list[str]:
+    blocks = explanation.system.blocks
+    if not blocks:
+        return []
+    kinds = ", ".join(f"{explanation.count(kind)} {kind.value}" for kind in BlockKind)
+    largest = max(blocks, key=lambda block: block.size)
+    return [f"{counted(len(blocks), 'block')} solved in order: {kinds}; the largest has size {largest.size}"]
+
+
+def _loops(explanation: Explanation, everything: bool) -> list[str]:
+    most = None if everything else MOST_NAMES
+    return [
+        f"block {number}: {kind_of(block)}: {cut(leaf_texts(block.tearing), most)}"
+        + (f"\n  then {cut(unknown_texts(block)[len(block.tearing) :], most)}" if block.assignments else "")
+        for number, block in explanation.loops
+    ]
+
+
+def _initial_counts(explanation: Explanation) -> list[str]:
+    initial = explanation.system.initial
+    kinds = ", ".join(f"{sum(b.kind is kind for b in initial.blocks)} {kind.value}" for kind in BlockKind)
+    checks = [f"must hold as well: 0 = {short(to_text(c.value), MOST_TEXT)}" for c in initial.checks]
+    reasons = ", ".join(
+        f"{sum(v.reason == reason for v in initial.values)} {reason}" for reason in ("fixed", "assumed", "guess")
+    )
+    return [
+        f"{counted(len(initial.blocks), 'block')}: {kinds}; start values: {reasons}",
+        *checks[:MOST_ROWS],
+    ]
+
+
+def _starts(explanation: Explanation) -> list[str]:
+    meaning = {
+        "assumed": "assumed: not fixed, but needed as an equation",
+        "guess": "guess: where an iteration starts",
+    }
+    return [
+        f"{value.name} = {short(to_text(value.value), MOST_TEXT)}  {meaning.get(value.reason, value.reason)}"
+        for value in explanation.system.initial.values
+    ]
+
+
+def _crossings(explanation: Explanation) -> list[str]:
+    return [
+        f"{short(to_text(crossing.relation), MOST_TEXT)}  ({place(crossing.span)})"
+        for crossing in explanation.system.events
+    ]

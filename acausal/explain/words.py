@@ -1,0 +1,86 @@
+"""The words that text, HTML and JSON share: equations with their places, counts, lists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from acausal.errors import Span
+from acausal.explain.collect import Differentiated
+from acausal.lang.flat import Equation, Origin
+from acausal.symbolic.causal import Block, BlockKind, CausalEquation, StateMonitor
+from acausal.symbolic.describe import equation_text, leaf_texts, place
+from acausal.symbolic.expressions.text import to_text
+
+MOST_CHARACTERS = 2_000
+"""Longer equations are cut for people to read; JSON has them whole."""
+
+
+def short(text: str, most: int = MOST_CHARACTERS) -> str:
+    """A text, cut where it is endless."""
+    return text if len(text) <= most else f"{text[:most]} ... ({len(text)} characters)"
+
+
+def counted(number: int, what: str, several: str = "") -> str:
+    """`1 block`, `2 blocks`."""
+    return f"{number} {what if number == 1 else several or what + 's'}"
+
+
+def often(times: int) -> str:
+    """`once`, `twice`, `3 times`."""
+    return {1: "once", 2: "twice"}.get(times, f"{times} times")
+
+
+def cut(items: Sequence[str], most: int | None) -> str:
+    """`a, b, c and 4 more`."""
+    if most is None or len(items) <= most:
+        return ", ".join(items)
+    return f"{', '.join(items[:most])} and {len(items) - most} more"
+
+
+def where(equation: Equation | CausalEquation) -> str:
+    """`Tank.mo:12, connection in tank, differentiated once`."""
+    flat = equation.flat if isinstance(equation, CausalEquation) else equation
+    parts = [place(flat.span)]
+    if flat.origin is not Origin.EQUATION:
+        parts.append(flat.origin.value)
+    text = ", ".join(parts) + (f" in {flat.component}" if flat.component else "")
+    times = equation.differentiations if isinstance(equation, CausalEquation) else 0
+    return f"{text}, differentiated {often(times)}" if times else text
+
+
+def spot(span: Span) -> dict[str, object]:
+    """The keys `file` and `line` of JSON."""
+    return {"file": span.file, "line": span.line}
+
+
+def by_whom(entry: Differentiated) -> str:
+    """Who differentiated an equation."""
+    return f"while {entry.alias} was eliminated" if entry.alias else "by index reduction"
+
+
+def kind_of(block: Block) -> str:
+    """`explicit`, or `nonlinear, 3 unknowns torn to 1`."""
+    if block.kind is BlockKind.EXPLICIT:
+        return "explicit"
+    return f"{block.kind.value}, {counted(block.size, 'unknown')}, {len(block.tearing)} after tearing"
+
+
+def solved(names: Iterable[str]) -> str:
+    """Names of unknowns in a row."""
+    return ", ".join(names)
+
+
+def when_not(monitor: StateMonitor) -> tuple[str, str, str]:
+    """The condition of a choice of states, what may replace what, and the constraints behind it."""
+    return (
+        to_text(monitor.relation),
+        f"{', '.join(monitor.alternatives)} solved for instead of {', '.join(monitor.solved_for)}"
+        if monitor.alternatives
+        else f"another choice than solving for {', '.join(monitor.solved_for)}",
+        "; ".join([f"{equation_text(c.flat)} ({where(c)})" for c in monitor.constraints]),
+    )
+
+
+def unknown_texts(block: Block) -> tuple[str, ...]:
+    """The unknowns of a block, tearing variables first."""
+    return leaf_texts(block.unknowns)
