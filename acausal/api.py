@@ -30,6 +30,7 @@ if (
     TYPE_CHECKING
 ):  # CasADi, SUNDIALS and xarray take a second to import, and checking a model needs none of them
     from acausal.codegen.functions import Code
+    from acausal.explain.explanation import Explanation
     from acausal.simulate.inputs import InputValue
     from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
@@ -135,6 +136,12 @@ class CompiledModel:
         """The text of one stage: `ast`, `instance`, `flat`, `causal` or `code`."""
         return print_stage(self.compilation, stage)
 
+    def explain(self) -> Explanation:
+        """What every stage did to the model and why; `print` it, or look at `.text`, `.to_json()`, `.html()`."""
+        from acausal.explain.explanation import explain
+
+        return explain(self.compilation)
+
     def simulate(
         self,
         *,
@@ -177,9 +184,7 @@ class CompiledModel:
         return f"<CompiledModel {self.name}: index {self.index}, {len(self.states)} states ({states})>"
 
     def _repr_html_(self) -> str:
-        from acausal.report import html_report
-
-        return html_report(self.causal)
+        return self.explain()._repr_html_()
 
 
 def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()) -> Model:

@@ -1,4 +1,4 @@
-"""The command line: `acausal check`, `compile` and `simulate`, as docs/command-line.md promises them."""
+"""The command line: `acausal check`, `compile`, `explain` and `simulate`, as docs/command-line.md promises them."""
 
 from __future__ import annotations
 

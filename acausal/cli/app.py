@@ -49,7 +49,7 @@ def start(
     context: typer.Context,
     version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
 ) -> None:
-    """A Modelica compiler: check, compile and simulate models."""
+    """A Modelica compiler: check, compile, explain and simulate models."""
     from acausal import __version__
 
     if version:
@@ -95,6 +95,34 @@ def compile_(
 
     target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
     run_compile(target, stop_after=stop_after, show=show, as_json=json)
+
+
+@app.command(short_help="Say what happened to a model, and why.")
+def explain(
+    model: _Model,
+    parameter: _Parameters = None,
+    block: Annotated[
+        int | None, typer.Option("--block", metavar="NUMBER", help="Explain this block only.")
+    ] = None,
+    latex: Annotated[bool, typer.Option("--latex", help="Its equations in LaTeX, too.")] = False,
+    all_: Annotated[bool, typer.Option("--all", help="Do not cut long lists.")] = False,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the incidence as PNG, SVG or PDF.")
+    ] = None,
+    html: Annotated[Path | None, typer.Option(metavar="FILE", help="Write one page with all of it.")] = None,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Say which variables were eliminated, which equations differentiated, which states chosen over which.
+
+    Then how the rest is solved: blocks in order, loops and their tearing, start values, zero crossings.
+    """
+    from acausal.cli.commands import Target
+    from acausal.cli.explanation import Wish, run_explain
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    run_explain(target, Wish(block, latex, all_, plot, html), as_json=json)
 
 
 @app.command(short_help="Run a model; write and draw results.")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import sys
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, TextIO, cast
 
-from acausal.errors import Diagnostic
+from acausal.errors import Diagnostic, UsageProblem, fail
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -96,3 +98,17 @@ def console(stream: TextIO) -> Console:
 
     width = None if stream.isatty() else _UNLIMITED
     return Console(file=stream, highlight=False, markup=False, emoji=False, soft_wrap=False, width=width)
+
+
+def check_writable(file: Path | None) -> None:
+    """Raises `UsageProblem` when `file` cannot be written."""
+    if file is None:
+        return
+    if file.is_dir():
+        raise fail(UsageProblem, "usage.output", f"`{file}` is a folder")
+    if not file.parent.is_dir():
+        raise fail(
+            UsageProblem, "usage.output", f"there is no folder `{file.parent}` to write `{file.name}` to"
+        )
+    if not os.access(file if file.exists() else file.parent, os.W_OK):
+        raise fail(UsageProblem, "usage.output", f"`{file}` cannot be written", hint="check its permissions")

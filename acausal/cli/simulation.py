@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from acausal.api import CompiledModel, check_names
 from acausal.cli.commands import Target
-from acausal.cli.output import print_diagnostics, print_json, print_table, print_text
+from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
 from acausal.errors import UsageProblem, fail
 from acausal.simulate.result import Result
 
@@ -73,20 +72,6 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         print_json(summary(result, names, run))
     else:
         print_run(result, names, run)
-
-
-def check_writable(file: Path | None) -> None:
-    """Raises `UsageProblem` when `file` cannot be written."""
-    if file is None:
-        return
-    if file.is_dir():
-        raise fail(UsageProblem, "usage.output", f"`{file}` is a folder")
-    if not file.parent.is_dir():
-        raise fail(
-            UsageProblem, "usage.output", f"there is no folder `{file.parent}` to write `{file.name}` to"
-        )
-    if not os.access(file if file.exists() else file.parent, os.W_OK):
-        raise fail(UsageProblem, "usage.output", f"`{file}` cannot be written", hint="check its permissions")
 
 
 def write_files(result: Result, names: tuple[str, ...], run: Run) -> None:

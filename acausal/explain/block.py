@@ -78,5 +78,3 @@ def _needs(explanation: Explanation, number: int, block: Block) -> list[str]:
 def _named(explanation: Explanation, number: int) -> str:
     block = explanation.system.blocks[number - 1]
     return f"block {number} ({cut(unknown_texts(block), 5)})"
-
-

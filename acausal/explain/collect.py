@@ -78,7 +78,9 @@ def given(system: CausalSystem, block: Block) -> tuple[Expr, ...]:
 
 
 def _leaves(block: Block) -> tuple[Expr, ...]:
-    return all_leaves([side for equation in block_equations(block) for side in (equation.left, equation.right)])
+    return all_leaves(
+        [side for equation in block_equations(block) for side in (equation.left, equation.right)]
+    )
 
 
 def incidence(system: CausalSystem) -> Incidence:

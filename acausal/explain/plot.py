@@ -71,14 +71,21 @@ def _figure(explanation: Explanation) -> Figure:
     FigureCanvasAgg(figure)
     before, after = figure.subplots(1, 2)
     pairs = np.array(found.pairs, dtype=np.int64).reshape(-1, 2)
-    moved = np.column_stack([np.array(found.row_to, int)[pairs[:, 0]], np.array(found.column_to, int)[pairs[:, 1]]])
+    moved = np.column_stack(
+        [np.array(found.row_to, int)[pairs[:, 0]], np.array(found.column_to, int)[pairs[:, 1]]]
+    )
     rows = [short(equation_text(equation), 10_000) for equation in found.equations] if labelled else []
     columns = list(leaf_texts(found.unknowns)) if labelled else []
     _panel(before, pairs, size, f"as the model has it: {size} equations")
     _labels(before, rows, columns)
     loops = [n for n in found.sizes if n > 1]
     _blocks(after, found.sizes)
-    _panel(after, moved, size, f"as it is solved: {len(found.sizes)} blocks, largest {max(loops, default=min(size, 1))}")
+    _panel(
+        after,
+        moved,
+        size,
+        f"as it is solved: {len(found.sizes)} blocks, largest {max(loops, default=min(size, 1))}",
+    )
     _labels(after, _moved(rows, found.row_to), _moved(columns, found.column_to))
     return figure
 
@@ -131,7 +138,9 @@ def _labels(axes: Axes, rows: Sequence[str], columns: Sequence[str]) -> None:
         return
     axes.set_xlabel("")
     axes.set_ylabel("")
-    axes.set_xticks([i + 0.5 for i in range(len(columns))], [_plain(c) for c in columns], rotation=90, fontsize=8)
+    axes.set_xticks(
+        [i + 0.5 for i in range(len(columns))], [_plain(c) for c in columns], rotation=90, fontsize=8
+    )
     axes.set_yticks([i + 0.5 for i in range(len(rows))], [_plain(r) for r in rows], fontsize=8)
     axes.tick_params(length=0)
 

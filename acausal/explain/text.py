@@ -154,7 +154,8 @@ def _initial_counts(explanation: Explanation) -> list[str]:
     kinds = ", ".join(f"{sum(b.kind is kind for b in initial.blocks)} {kind.value}" for kind in BlockKind)
     checks = [f"must hold as well: 0 = {short(to_text(c.value), MOST_TEXT)}" for c in initial.checks]
     reasons = ", ".join(
-        f"{sum(v.reason == reason for v in initial.values)} {reason}" for reason in ("fixed", "assumed", "guess")
+        f"{sum(v.reason == reason for v in initial.values)} {reason}"
+        for reason in ("fixed", "assumed", "guess")
     )
     return [
         f"{counted(len(initial.blocks), 'block')}: {kinds}; start values: {reasons}",

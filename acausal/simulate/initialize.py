@@ -150,7 +150,7 @@ def _check(code: Code, values: Vector) -> None:
         if abs(residual) <= CHECK_TOLERANCE * max(size, 1e-300):
             continue
         names, span = symbols([check.value]), check.equation.flat.span
-        values = some(
+        found = some(
             [
                 f"{n} = {number(values[code.initial.slots[sym(n)]])}"
                 for n in names
@@ -159,7 +159,7 @@ def _check(code: Code, values: Vector) -> None:
         )
         message = (
             f"the initial values contradict '{shown(check.equation)}' ({place(span)}): "
-            f"it is off by {number(residual)}, with {values}"
+            f"it is off by {number(residual)}, with {found}"
         )
         hint = "fewer start values may be fixed: remove 'fixed = true' from one of these, or make them agree"
         problems.append(Diagnostic("initialize.inconsistent", message, check.equation.flat.span, names, hint))

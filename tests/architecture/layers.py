@@ -22,7 +22,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.pipeline",),
     ("acausal.analysis",),
     ("acausal.study",),
-    ("acausal.report", "acausal.sources"),
+    ("acausal.explain", "acausal.sources"),
     ("acausal.api",),
     ("acausal.notebook",),
     ("acausal",),
