@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from acausal.errors import Diagnostic, LookupProblem, fail
 from acausal.lang.flat import Variable
@@ -22,6 +21,7 @@ from acausal.symbolic.expressions.expr import Constant, Expr, neg
 from acausal.symbolic.expressions.text import to_text
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.figure import Figure
 
 
@@ -119,6 +119,8 @@ class Result:
 
     def __getitem__(self, name: str) -> xr.DataArray:
         """`result["line.p"]`: values over time as a labelled array with its unit."""
+        import xarray as xr  # a quarter of a second that the command line does not need
+
         variable = self.variable(name)
         attributes = {"units": self.unit(name), "long_name": variable.description if variable else ""}
         coordinate = xr.DataArray(self.time, dims="time", attrs={"units": "s"})
@@ -143,6 +145,8 @@ class Result:
 
     def to_xarray(self, names: Sequence[str] | None = None) -> xr.Dataset:
         """A Dataset over `time` with units; parameters and statistics are its attributes."""
+        import xarray as xr
+
         chosen = self.default_names if names is None else tuple(names)
         arrays = {name: self[name] for name in chosen}
         coordinate = xr.DataArray(self.time, dims="time", attrs={"units": "s"})
