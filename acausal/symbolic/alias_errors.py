@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
-from acausal.lang.flat import Equation, FlatModel
+from acausal.lang.flat import Equation, FlatModel, Origin
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
 from acausal.symbolic.describe import base_name, cut, equation_with_place, listed, shown
@@ -22,17 +22,27 @@ def redundant_link(flat: FlatModel, classes: Classes, link: Link) -> BalanceProb
     for other in classes.path(link.a, link.b):
         names.append(other.b if other.a == names[-1] else other.a)
     loop = listed([equation_with_place(equation) for equation in around])
-    return _surplus(flat.equations[link.equation], tuple(names), f"it already follows from {loop}")
+    surplus = flat.equations[link.equation]
+    flows = all(flat.by_name[name].flow for name in names if name in flat.by_name)
+    hint = _NO_REFERENCE if flows and surplus.origin is Origin.FLOW_BALANCE else _REMOVE
+    return _surplus(surplus, tuple(names), f"it already follows from {loop}", hint)
 
 
-def _surplus(equation: Equation, names: tuple[str, ...], why: str) -> BalanceProblem:
+_REMOVE = "remove it, or replace it by the equation that is missing elsewhere"
+_NO_REFERENCE = (
+    "these flows balance by themselves, so nothing fixes the level of the potential they belong to: "
+    "connect a reference (ground, fixed flange, tank), and look for two sources that prescribe the same"
+)
+
+
+def _surplus(equation: Equation, names: tuple[str, ...], why: str, hint: str = _REMOVE) -> BalanceProblem:
     return BalanceProblem(
         Diagnostic(
             "alias.loop",
             f"the equation '{shown(equation)}' determines nothing: {why}",
             equation.span,
             names,
-            "remove it, or replace it by the equation that is missing elsewhere",
+            hint,
         )
     )
 

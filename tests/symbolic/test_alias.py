@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import acausal
 from acausal.errors import AcausalError, BalanceProblem, InitializationProblem
 from acausal.lang.flat import BOOLEAN, INTEGER, FlatModel, StateSelect
 from acausal.symbolic.alias import Simplified, eliminate_aliases
@@ -245,3 +246,43 @@ def test_a_chain_of_ten_thousand_aliases() -> None:
 def test_every_error_is_typed() -> None:
     with pytest.raises(AcausalError):
         causalise(model("a = b", "b = c", "c = a"))
+
+
+NO_GROUND = """
+package Circuit
+  connector Pin
+    Real v;
+    flow Real i;
+  end Pin;
+  model Resistor
+    Pin p, n;
+  equation
+    p.i + n.i = 0;
+    p.v - n.v = p.i;
+  end Resistor;
+  model Source
+    Pin p, n;
+  equation
+    p.i + n.i = 0;
+    p.v - n.v = 1;
+  end Source;
+  model NoGround
+    Source source;
+    Resistor load;
+  equation
+    connect(source.p, load.p);
+    connect(source.n, load.n);
+  end NoGround;
+end Circuit;
+"""
+
+
+def test_a_circuit_without_ground_is_told_that_it_needs_one() -> None:
+    with pytest.raises(BalanceProblem) as caught:
+        acausal.loads(NO_GROUND, "Circuit.NoGround").compile()
+    (found,) = caught.value.diagnostics
+    assert found.code == "alias.loop"
+    assert "ground" in found.hint
+    assert "load.n.i" in found.names
+    assert found.span is not None
+    assert found.span.line == 24

@@ -44,16 +44,20 @@ def fold(
             continue
         stack = [root]
         while stack:
-            node = stack[-1]
+            node = stack.pop()
             if node in values:
-                stack.pop()
                 continue
-            missing = [arg for arg in node.args if arg not in values]
+            args = node.args
+            if not args:
+                values[node] = visit(node, [])
+                continue
+            missing = [arg for arg in args if arg not in values]
             if missing:
-                stack.extend(reversed(missing))
+                missing.reverse()
+                stack.append(node)
+                stack.extend(missing)
             else:
-                stack.pop()
-                values[node] = visit(node, [values[arg] for arg in node.args])
+                values[node] = visit(node, [values[arg] for arg in args])
     return values
 
 
