@@ -137,7 +137,7 @@ class CompiledModel:
         return print_stage(self.compilation, stage)
 
     def explain(self) -> Explanation:
-        """What every stage did to the model and why; `print` it, or look at `.text`, `.to_json()`, `.html()`."""
+        """What every stage did to the model, and why: `print` it, or use `.to_json()` and `.html()`."""
         from acausal.explain.explanation import explain
 
         return explain(self.compilation)
@@ -184,7 +184,9 @@ class CompiledModel:
         return f"<CompiledModel {self.name}: index {self.index}, {len(self.states)} states ({states})>"
 
     def _repr_html_(self) -> str:
-        return self.explain()._repr_html_()
+        from acausal.explain.html import html_fragment
+
+        return html_fragment(self.explain())
 
 
 def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()) -> Model:

@@ -1,4 +1,4 @@
-"""The command line: `acausal check`, `compile`, `explain` and `simulate`, as docs/command-line.md promises them."""
+"""The command line that docs/command-line.md promises: `acausal check`, `compile`, `explain`, `simulate`."""
 
 from __future__ import annotations
 

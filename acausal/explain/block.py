@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from acausal.explain.collect import block_equations, given
 from acausal.explain.explanation import Explanation
 from acausal.explain.words import cut, kind_of, short, unknown_texts, where
-from acausal.symbolic.causal import Block
+from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.describe import equation_text, leaf_texts
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.text import to_text
@@ -51,7 +51,8 @@ def _equations(block: Block, latex: bool) -> list[str]:
 
 
 def _solution(block: Block, latex: bool) -> list[str]:
-    lines = [f"guess {cut(leaf_texts(block.tearing), _MOST_NAMES)}"] if block.tearing else []
+    how = "linear in" if block.kind is BlockKind.LINEAR else "Newton's method for"
+    lines = [f"{how} {cut(leaf_texts(block.tearing), _MOST_NAMES)}; given these"] if block.tearing else []
     for assignment in block.assignments:
         lines.append(f"{to_text(assignment.unknown)} := {short(to_text(assignment.value))}")
         lines += _latex(assignment.unknown, assignment.value, latex)

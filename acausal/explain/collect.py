@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.lang.flat import Equation
-from acausal.symbolic.causal import Alias, Block, CausalEquation, CausalSystem
-from acausal.symbolic.describe import base_name
+from acausal.symbolic.causal import Block, CausalEquation, CausalSystem
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.leaves import all_leaves
 
@@ -35,7 +34,7 @@ class Dependencies:
 class Incidence:
     """Equations against unknowns. `pairs` are (row, column) in the order before sorting.
 
-    Row `i` is `equations[i]` and moves to `row_to[i]`; column `j` is `unknowns[j]` and moves to `column_to[j]`.
+    Row `i` is `equations[i]` and moves to `row_to[i]`; column `j`, `unknowns[j]`, moves to `column_to[j]`.
     """
 
     equations: tuple[CausalEquation, ...]
@@ -89,7 +88,7 @@ def incidence(system: CausalSystem) -> Incidence:
     sorted_unknowns = [leaf for block in system.blocks for leaf in solved_order(block)]
     row_to = {_sides(equation): i for i, equation in enumerate(sorted_equations)}
     equations = [equation for equation in system.equations if _sides(equation) in row_to]
-    unknowns = sorted(sorted_unknowns, key=_declared(system))
+    unknowns = sorted(sorted_unknowns, key=_Declared(system))
     column = {leaf: j for j, leaf in enumerate(unknowns)}
     column_to = {leaf: j for j, leaf in enumerate(sorted_unknowns)}
     pairs = [
@@ -112,7 +111,7 @@ def _sides(equation: CausalEquation) -> tuple[Expr, Expr]:
     return equation.left, equation.right
 
 
-class _declared:
+class _Declared:
     """Sorts unknowns by the declaration of their variables, derivatives after them."""
 
     def __init__(self, system: CausalSystem) -> None:
@@ -138,10 +137,10 @@ def differentiated(system: CausalSystem) -> tuple[Differentiated, ...]:
 
 
 def _by_aliases(system: CausalSystem) -> Iterator[Differentiated]:
-    """Aliases that could have been states. Where `der(a) = b` made b an alias too, a's equation counts more."""
+    """Aliases that could have been states: once, and once more where `der(a) = b` and b is one as well."""
     aliases = {alias.name: alias for alias in system.aliases}
     names = [c.name for c in system.choices if not c.is_state and c.name in aliases]
-    higher = _higher([aliases[name] for name in names])
+    higher = _higher(system, names)
     for name in names:
         times, current = 1, name
         while (current := higher.get(current, "")) and times <= len(names):
@@ -149,11 +148,14 @@ def _by_aliases(system: CausalSystem) -> Iterator[Differentiated]:
         yield Differentiated(aliases[name].equation, times, name)
 
 
-def _higher(aliases: Iterable[Alias]) -> dict[str, str]:
-    """A -> b where b was eliminated by an equation with der(a)."""
+def _higher(system: CausalSystem, names: Sequence[str]) -> dict[str, str]:
+    """The map of a to b where an equation of the model says b = der(a), both in `names`."""
+    wanted = frozenset(names)
     found: dict[str, str] = {}
-    for alias in aliases:
-        for leaf in all_leaves([alias.equation.left, alias.equation.right]):
-            if leaf.op == "der":
-                found[base_name(leaf)] = alias.name
+    for equation in system.flat.equations if wanted else ():
+        for slope, speed in ((equation.left, equation.right), (equation.right, equation.left)):
+            if slope.op == "der" and slope.args[0].op == speed.op == "sym":
+                integral = slope.args[0].name
+                if integral in wanted and speed.name in wanted:
+                    found[integral] = speed.name
     return found

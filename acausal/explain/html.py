@@ -7,8 +7,8 @@ from html import escape
 
 from acausal.explain.explanation import Explanation
 from acausal.explain.html_parts import PAGE_STYLE, STYLE, Paper, Row, code, fold_away, rows, small
-from acausal.explain.words import by_whom, kind_of, often, when_not, where
-from acausal.symbolic.causal import Assignment, Block, BlockKind, InitialProblem
+from acausal.explain.words import by_whom, kind_of, often, use, when_not, where
+from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalSystem
 from acausal.symbolic.describe import equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
 
@@ -66,7 +66,7 @@ def _tables(explanation: Explanation, paper: Paper) -> Iterator[str]:
         is_open=True,
     )
     yield paper.folded("Aliases", ("variable", "equals", "from"), rows(_aliases(explanation)))
-    yield paper.folded("Start values", ("variable", "start", "use"), rows(_starts(system.initial)))
+    yield paper.folded("Start values", ("variable", "start", "use"), rows(_starts(system)))
     if paper.linked:
         initial = _blocks(system.initial.blocks, "initial", paper, None)
         yield paper.folded("Initial system, in order", head[:-1], initial)
@@ -170,10 +170,10 @@ def _aliases(explanation: Explanation) -> Iterator[Sequence[str]]:
         yield code(alias.name), code(to_text(alias.value)), small(where(alias.equation))
 
 
-def _starts(initial: InitialProblem) -> Iterator[Sequence[str]]:
-    for value in initial.values:
-        yield code(value.name), code(to_text(value.value)), escape(value.reason)
-    for check in initial.checks:
+def _starts(system: CausalSystem) -> Iterator[Sequence[str]]:
+    for value in system.initial.values:
+        yield code(value.name), code(to_text(value.value)), escape(use(value, system))
+    for check in system.initial.checks:
         yield "", code(f"0 = {to_text(check.value)}"), f"must hold as well {small(where(check.equation))}"
 
 

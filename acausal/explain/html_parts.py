@@ -50,7 +50,7 @@ class Paper:
 
     def table(self, head: Sequence[str], rows: Iterable[Row]) -> str:
         """A table; nothing where there are no rows."""
-        written = [row for row in rows]
+        written = list(rows)
         if not written:
             return ""
         shown = written if self.most_rows is None else written[: self.most_rows]

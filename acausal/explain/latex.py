@@ -2,11 +2,12 @@ r"""Expressions as LaTeX through SymPy: `der(valve.spool.s)` becomes `\dot{s}_{\
 
 SymPy prints sums, products, quotients and powers, unevaluated and in their order; everything else (functions,
 conditions, derivatives) is an atom to it whose LaTeX is made here. An expression of more than `MOST_NODES`
-nodes, written out, has no LaTeX.
+nodes, written out, or of more than `MOST_DEPTH` levels has no LaTeX.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import sympy
@@ -15,15 +16,17 @@ from acausal.symbolic.expressions.expr import EnumValue, Expr, fold
 from acausal.symbolic.expressions.operators import RELATIONS
 from acausal.symbolic.expressions.text import constant_text
 
-MOST_NODES = 400
+MOST_NODES, MOST_DEPTH = 400, 40
 _LARGEST_INTEGER = 1e9
 _GREEK = frozenset(
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi "
-    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split()
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi "
+    "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split()
 )
 _ESCAPES = str.maketrans(
     {c: "\\" + c for c in "_{}$#%&"} | {"\\": r"\backslash{}", "^": r"\wedge{}", "~": r"\sim{}", "\n": " "}
 )
+_NAME = re.compile(r"(?:([^']*)\.)?([^\W\d_]+)(?:_([^'\].]+?))?(?:\[([^'\]]*)\])?")
+"""Path, variable, what follows its first underscore, and its subscripts; other names stay whole."""
 _DOTS = ("", r"\dot", r"\ddot", r"\dddot")
 _FUNCTIONS = {name: rf"\{name}" for name in "sin cos tan sinh cosh tanh exp min max".split()} | {
     "asin": r"\arcsin",
@@ -39,7 +42,7 @@ _ARITHMETIC = frozenset({"add", "neg", "mul", "div", "pow", "sqrt"})
 
 def expression_latex(root: Expr) -> str | None:
     """The LaTeX of an expression; None where it is longer than anyone would read."""
-    if _written_out(root) > MOST_NODES:
+    if not _is_readable(root):
         return None
     with sympy.evaluate(False):
         return _Printer().latex(root)
@@ -52,37 +55,29 @@ def equation_latex(left: Expr, right: Expr) -> str | None:
 
 
 def name_latex(name: str, dots: int = 0) -> str:
-    r"""A flat name, `dots` times differentiated: `line.tau_start` is `\tau_{\mathrm{line},\mathrm{start}}`."""
-    path, last = _split(name)
-    base, _, index = last.partition("_")
-    if not base:
-        base, index = last, ""
+    r"""A flat name, `dots` times differentiated: `a.tau_start` is `\tau_{\mathrm{a},\mathrm{start}}`."""
+    found = _NAME.fullmatch(name)
+    path, base, *indices = found.groups(default="") if found else ("", name)
     letter = f"\\{base}" if base in _GREEK else base if len(base) == 1 and base.isalpha() else _roman(base)
     if dots:
         letter = f"{_DOTS[dots]}{{{letter}}}" if dots < len(_DOTS) else f"{letter}^{{({dots})}}"
-    below = [_roman(part) for part in (path, index) if part]
-    return f"{letter}_{{{','.join(below)}}}" if below else letter
-
-
-def _split(name: str) -> tuple[str, str]:
-    """The component's path and the variable: the last dot outside brackets and quotes parts them."""
-    if "'" in name or "]" in name.rpartition(".")[2] and "[" not in name.rpartition(".")[2]:
-        return "", name
-    path, _, last = name.rpartition(".")
-    return path, last
+    below = ",".join([_roman(part) for part in (path, *indices) if part])
+    return f"{letter}_{{{below}}}" if below else letter
 
 
 def _roman(text: str) -> str:
-    return rf"\mathrm{{{text.translate(_ESCAPES)}}}"
+    return text if text.isdigit() else rf"\mathrm{{{text.translate(_ESCAPES)}}}"
 
 
-def _written_out(root: Expr) -> int:
-    """Nodes of the expression as a tree; it is stored with shared parts."""
+def _is_readable(root: Expr) -> bool:
+    """Whether the expression as a tree is small; it is stored with shared parts."""
 
-    def visit(_: Expr, counts: list[int]) -> int:
-        return min(1 + sum(counts), MOST_NODES + 1)
+    def visit(_: Expr, parts: list[tuple[int, int]]) -> tuple[int, int]:
+        nodes = 1 + sum([nodes for nodes, _ in parts])
+        return min(nodes, MOST_NODES + 1), 1 + max([depth for _, depth in parts], default=0)
 
-    return fold([root], visit)[root]
+    nodes, depth = fold([root], visit)[root]
+    return nodes <= MOST_NODES and depth <= MOST_DEPTH
 
 
 class _Printer:
@@ -120,7 +115,8 @@ class _Printer:
         if op in RELATIONS:
             return rf"\left({args[0]} {_SIGNS[op]} {args[1]}\right)"
         if op in ("and", "or"):
-            return rf"\left({(r' \wedge ' if op == 'and' else r' \vee ').join(args)}\right)"
+            joined = (r" \wedge " if op == "and" else r" \vee ").join(args)
+            return rf"\left({joined}\right)"
         if op == "not":
             return rf"\neg {args[0]}"
         if op == "if":
@@ -161,4 +157,4 @@ def _derivative(node: Expr) -> str:
         dots, inner = dots + 1, inner.args[0]
     if inner.op == "sym":
         return name_latex(inner.name, dots)
-    return rf"\operatorname{{der}}\left({'...'}\right)"
+    return r"\operatorname{der}\left(\dots\right)"

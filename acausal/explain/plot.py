@@ -56,7 +56,11 @@ def write_incidence(explanation: Explanation, path: Path) -> None:
 
 
 def _save(figure: Figure, target: Path | BytesIO, kind: str) -> None:
-    metadata = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
+    metadata = {
+        "png": {"Software": ""},
+        "svg": dict.fromkeys(["Date", "Creator", "Format", "Type"]),
+        "pdf": {"CreationDate": None},
+    }[kind]
     with mpl.rc_context({"svg.hashsalt": "acausal", "svg.fonttype": "path"}):
         figure.savefig(target, format=kind, dpi=150, metadata=metadata)
 
@@ -120,7 +124,7 @@ def _panel(axes: Axes, pairs: Pairs, size: int, title: str) -> None:
 
 
 def _blocks(axes: Axes, sizes: Sequence[int]) -> None:
-    """The boundaries of the blocks: frames around loops, thin ones around single equations of small systems."""
+    """Frames around loops, and thin ones around the single equations of small systems."""
     starts = np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]).tolist()
     total = starts[-1]
     loops = [Rectangle((at, at), n, n) for at, n in zip(starts, sizes, strict=False) if n > 1]

@@ -13,10 +13,11 @@ from acausal.explain.words import (
     often,
     short,
     unknown_texts,
+    use,
     when_not,
     where,
 )
-from acausal.lang.flat import Origin
+from acausal.lang.flat import Equation, Origin
 from acausal.symbolic.causal import BlockKind
 from acausal.symbolic.describe import equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
@@ -74,9 +75,9 @@ def _flat(explanation: Explanation) -> list[str]:
     kinds = [(origin, sum(e.origin is origin for e in flat.equations)) for origin in Origin]
     origins = ", ".join(f"{count} {origin.value}" for origin, count in kinds if count)
     parameters = counted(len(flat.parameters), "parameter or constant", "parameters and constants")
+    size = f"{counted(len(flat.equations), 'equation')} in {counted(len(flat.unknowns), 'unknown')}"
     return [
-        f"{counted(len(flat.equations), 'equation')} in {counted(len(flat.unknowns), 'unknown')}, {parameters}, "
-        f"{counted(len(flat.inputs), 'input')}",
+        f"{size}, {parameters}, {counted(len(flat.inputs), 'input')}",
         *([f"where the equations come from: {origins}"] if origins else []),
     ]
 
@@ -88,10 +89,7 @@ def _aliases(explanation: Explanation) -> list[str]:
     ]
 
 
-def _flat_text(equation: object) -> str:
-    from acausal.lang.flat import Equation
-
-    assert isinstance(equation, Equation)
+def _flat_text(equation: Equation) -> str:
     return f"'{short(equation_text(equation), MOST_TEXT)}' ({where(equation)})"
 
 
@@ -164,12 +162,8 @@ def _initial_counts(explanation: Explanation) -> list[str]:
 
 
 def _starts(explanation: Explanation) -> list[str]:
-    meaning = {
-        "assumed": "assumed: not fixed, but needed as an equation",
-        "guess": "guess: where an iteration starts",
-    }
     return [
-        f"{value.name} = {short(to_text(value.value), MOST_TEXT)}  {meaning.get(value.reason, value.reason)}"
+        f"{value.name} = {short(to_text(value.value), MOST_TEXT)}  {use(value, explanation.system)}"
         for value in explanation.system.initial.values
     ]
 

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from acausal.errors import Span
 from acausal.explain.collect import Differentiated
 from acausal.lang.flat import Equation, Origin
-from acausal.symbolic.causal import Block, BlockKind, CausalEquation, StateMonitor
+from acausal.symbolic.causal import Block, BlockKind, CausalEquation, CausalSystem, InitialValue, StateMonitor
 from acausal.symbolic.describe import equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
 
 MOST_CHARACTERS = 2_000
 """Longer equations are cut for people to read; JSON has them whole."""
+
+_USES = {
+    "assumed": "assumed: not fixed, but needed as an equation",
+    "guess": "guess: where an iteration starts",
+}
 
 
 def short(text: str, most: int = MOST_CHARACTERS) -> str:
@@ -65,9 +70,12 @@ def kind_of(block: Block) -> str:
     return f"{block.kind.value}, {counted(block.size, 'unknown')}, {len(block.tearing)} after tearing"
 
 
-def solved(names: Iterable[str]) -> str:
-    """Names of unknowns in a row."""
-    return ", ".join(names)
+def use(value: InitialValue, system: CausalSystem) -> str:
+    """What a start value is good for, and whether anybody gave it."""
+    variable = system.flat.by_name.get(value.name)
+    given = variable is not None and (variable.start is not None or variable.binding is not None)
+    meaning = _USES.get(value.reason, value.reason)
+    return meaning if given else f"{meaning}; nobody gave it"
 
 
 def when_not(monitor: StateMonitor) -> tuple[str, str, str]:

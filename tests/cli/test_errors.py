@@ -208,6 +208,7 @@ def test_nobody_reads() -> None:
         (["--help"], "acausal.lang acausal.symbolic casadi matplotlib numpy xarray sympy sksundae"),
         (["check", "Tank.mo"], "acausal.simulate casadi matplotlib numpy xarray sympy sksundae rich.table"),
         (["compile", "Tank.mo", "--json"], "matplotlib xarray sympy sksundae"),
+        (["explain", "Tank.mo"], "acausal.simulate casadi matplotlib xarray sympy sksundae"),
     ],
 )
 def test_only_what_is_needed_is_imported(words: list[str], forbidden: str) -> None:
