@@ -13,11 +13,14 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import compile_growth, run_time
+import acausal
+from benchmarks import comparison, run_time, scale
+from benchmarks.measure import Row
 
-BENCHMARKS: dict[str, Callable[[], Iterable[compile_growth.Row]]] = {
-    "compile_growth": compile_growth.rows,
-    "run_time": run_time.rows,
+BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
+    "scale": lambda quick: scale.rows(quick=quick),
+    "comparison": lambda quick: comparison.rows(quick=quick),
+    "run_time": lambda _: run_time.rows(),
 }
 
 
@@ -26,6 +29,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("names", nargs="*", help=f"of {', '.join(BENCHMARKS)}; default all")
     parser.add_argument("--out", type=Path, default=Path("out"))
+    parser.add_argument("--quick", action="store_true", help="smaller models and shorter time limits")
     arguments = parser.parse_args()
     unknown = [name for name in arguments.names if name not in BENCHMARKS]
     if unknown:
@@ -34,7 +38,7 @@ def main() -> None:
     console = Console()
     console.print(environment())
     for name in arguments.names or BENCHMARKS:
-        rows = list(BENCHMARKS[name]())
+        rows = list(BENCHMARKS[name](arguments.quick))
         console.print(as_table(name, rows))
         with (arguments.out / f"{name}.csv").open("w", newline="") as file:
             writer = csv.DictWriter(file, fieldnames=list(rows[0]))
@@ -44,8 +48,8 @@ def main() -> None:
 
 def environment() -> str:
     """Python, cores and the versions of what is compared."""
-    found: list[str] = []
-    for package in ("acausal", "casadi", "scikit-sundae", "rumoca", "pymoca"):
+    found = [f"acausal {acausal.__version__}"]
+    for package in ("casadi", "scikit-sundae", "rumoca", "pymoca"):
         try:
             found.append(f"{package} {version(package)}")
         except PackageNotFoundError:
@@ -53,7 +57,7 @@ def environment() -> str:
     return f"Python {platform.python_version()}, {os.cpu_count()} cores; {', '.join(found)}"
 
 
-def as_table(name: str, rows: list[compile_growth.Row]) -> Table:
+def as_table(name: str, rows: list[Row]) -> Table:
     """The rows for a terminal."""
     table = Table(title=name)
     for key in rows[0]:

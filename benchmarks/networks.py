@@ -1,7 +1,7 @@
-"""Networks of components for the benchmarks: chains, trees and 2-D grids in three physical domains.
+"""Networks of components: chains, trees and 2-D grids in three physical domains, storage at every node.
 
 Every text has one package `Net` with a `Node` (storage), a `Link` (what joins two nodes), a `Source` and the
-model `Net.System`. The relative chain at the end has states between its masses instead of at them.
+model `Net.System`.
 """
 
 from __future__ import annotations
@@ -198,17 +198,21 @@ GRID = """
 
 @dataclass(frozen=True)
 class Domain:
-    """Component models of one domain, and the scalar equations a node and a link add, connections included."""
+    """Component models of one domain, and the scalar equations a node and a link add, connections included.
+
+    `watched` is the variable of a node that stands for the result.
+    """
 
     parts: str
     node: int
     link: int
+    watched: str
 
 
 DOMAINS = {
-    "mechanical": Domain(MECHANICAL, 4, 7),
-    "electrical": Domain(ELECTRICAL, 10, 10),
-    "hydraulic": Domain(HYDRAULIC, 3, 6),
+    "mechanical": Domain(MECHANICAL, 4, 7, "s"),
+    "electrical": Domain(ELECTRICAL, 10, 10, "c.v"),
+    "hydraulic": Domain(HYDRAULIC, 3, 6, "pressure"),
 }
 SHAPES = {"chain": CHAIN, "tree": TREE, "grid": GRID}
 
@@ -226,77 +230,15 @@ def network(domain: str, shape: str, equations: int) -> str:
     return f"package Net\n{each.parts}\n  model System{body}  end System;\nend Net;\n"
 
 
-RELATIVE = """
-package Net
-  connector Flange "One-dimensional translation"
-    Real s(unit = "m") "Position";
-    flow Real f(unit = "N") "Force into the component";
-  end Flange;
-
-  partial model TwoFlanges "What has two ends"
-    Flange a;
-    Flange b;
-  end TwoFlanges;
-
-  model Mass "Sliding mass"
-    extends TwoFlanges;
-    parameter Real m(unit = "kg") = 1 "Mass";
-    Real s(unit = "m", start = 0) "Position";
-    Real v(unit = "m/s", start = 0) "Speed";
-  equation
-    a.s = s;
-    b.s = s;
-    v = der(s);
-    m*der(v) = a.f + b.f;
-  end Mass;
-
-  model SpringDamper "Linear, with the relative position and speed as states"
-    extends TwoFlanges;
-    parameter Real c(unit = "N/m") = 100 "Stiffness";
-    parameter Real d(unit = "N.s/m") = 1 "Damping";
-    Real s_rel(unit = "m", start = 0, stateSelect = StateSelect.prefer) "Elongation";
-    Real v_rel(unit = "m/s", start = 0, stateSelect = StateSelect.prefer) "Its rate";
-    Real f(unit = "N") "Force";
-  equation
-    s_rel = b.s - a.s;
-    v_rel = der(s_rel);
-    f = c*s_rel + d*v_rel;
-    b.f = f;
-    a.f = -f;
-  end SpringDamper;
-
-  model Fixed "The wall"
-    Flange a;
-  equation
-    a.s = 0;
-  end Fixed;
-
-  model Pull "Constant force at the free end"
-    Flange a;
-  equation
-    a.f = -1;
-  end Pull;
-
-  model System
-    parameter Integer n = {cells};
-    Mass mass[n];
-    SpringDamper link[n];
-    Fixed wall;
-    Pull pull;
-  equation
-    connect(wall.a, link[1].a);
-    for i in 1:n loop
-      connect(link[i].b, mass[i].a);
-    end for;
-    for i in 2:n loop
-      connect(mass[i - 1].b, link[i].a);
-    end for;
-    connect(mass[n].b, pull.a);
-  end System;
-end Net;
-"""
-
-
-def relative_chain(cells: int) -> str:
-    """The chain of `Net.System` whose every cell is index-reduced: 13 `cells` + 4 scalar equations."""
-    return RELATIVE.format(cells=cells)
+def written_out(domain: str, equations: int) -> str:
+    """The chain without arrays of components, for tools that have none: every component declared by name."""
+    each = DOMAINS[domain]
+    size = ceil((equations - 2 + each.link) / (each.node + each.link))
+    lines = [f"    Node node{i};" for i in range(1, size + 1)]
+    lines += [f"    Link link{i};" for i in range(1, size)]
+    lines += ["    Source source;", "  equation", "    connect(source.p, node1.p);"]
+    for i in range(1, size):
+        lines.append(f"    connect(node{i}.p, link{i}.a);")
+        lines.append(f"    connect(link{i}.b, node{i + 1}.p);")
+    body = "\n".join(lines)
+    return f"package Net\n{each.parts}\n  model System\n{body}\n  end System;\nend Net;\n"

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import acausal
-from benchmarks.compile_growth import Row, seconds
+from benchmarks.measure import Row, seconds
 
 MODEL = "TenSpeed.Examples.MainRegulatorFlow"
 RTOL = 1e-6

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import HealthCheck, Phase, example, given, settings
 
 from acausal.errors import Source
 from acausal.lang import ast
@@ -59,21 +60,28 @@ def test_definition_round_trip(tree: ast.StoredDefinition) -> None:
     assert print_definition(again) == text
 
 
+class _Complete(Exception):
+    """Every node has been made."""
+
+
 def test_the_generators_make_every_node() -> None:
     missing = set(generators.ALL_NODES)
 
     @given(generators.any_node)
     @settings(
-        max_examples=300,
+        max_examples=5000,
         derandomize=True,
         database=None,
+        phases=[Phase.generate],
         suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
     )
     def collect(tree: object) -> None:
-        if missing:
-            missing.difference_update(type(node) for node in walk(tree))
+        missing.difference_update(type(node) for node in walk(tree))
+        if not missing:
+            raise _Complete
 
-    collect()
+    with contextlib.suppress(_Complete):
+        collect()
     assert not missing
 
 
