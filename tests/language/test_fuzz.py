@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import pytest
 
@@ -17,9 +17,9 @@ EACH = 4
 @pytest.mark.parametrize("path", [*FEATURES, *INVALID[::8]], ids=lambda path: path.stem)
 def test_only_typed_errors_come_out(path: Path) -> None:
     for text in mutations(path.read_text(), path.stem, EACH):
-        start = perf_counter()
+        start = process_time()
         found = diagnostics(text)
-        assert perf_counter() - start < MOST_SECONDS, text
+        assert process_time() - start < MOST_SECONDS, text
         assert all(d.code and d.message for d in found)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import pytest
 
@@ -18,9 +18,9 @@ MOST_SECONDS = 2.0
 @pytest.mark.parametrize("path", INVALID, ids=lambda path: path.stem)
 def test_is_refused(path: Path) -> None:
     text = path.read_text()
-    start = perf_counter()
+    start = process_time()
     found = diagnostics(text)
-    seconds = perf_counter() - start
+    seconds = process_time() - start
     assert any(expected_error(text).matches(d) for d in found), "\n".join(d.render() for d in found)
     assert seconds < MOST_SECONDS
 

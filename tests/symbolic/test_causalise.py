@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import gc
 import random
 import re
-from time import process_time
 
 import pytest
 from hypothesis import given
@@ -14,6 +12,7 @@ from hypothesis import strategies as st
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.causal_text import print_causal
 from acausal.symbolic.causalise import causalise
+from tests.growth import Work, growth
 from tests.symbolic.build import chain, model, pendulum
 from tests.symbolic.numeric import run
 
@@ -63,21 +62,14 @@ def test_compilation_is_deterministic() -> None:
     assert len(texts) == 1
 
 
-def seconds(cells: int) -> float:
-    flat = chain(cells)
-    gc.collect()
-    begin = process_time()
-    system = causalise(flat)
-    spent = process_time() - begin
-    assert len(system.states) == 2 * cells
-    return spent
-
-
 def test_time_for_each_equation_does_not_grow() -> None:
     """Generous against the noise of a shared machine; benchmarks/ measures the ratio itself."""
-    small = min(seconds(100) for _ in range(3)) / 500
-    large = min(seconds(1000) for _ in range(2)) / 5000
-    assert large < 3 * small
+
+    def prepare(cells: int) -> Work:
+        flat = chain(cells)
+        return lambda: causalise(flat)
+
+    assert growth(prepare, 100, 1000) < 3
 
 
 def test_a_long_rigid_train_is_reduced_locally() -> None:
