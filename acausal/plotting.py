@@ -142,7 +142,7 @@ def _write(figure: Figure, path: Path) -> None:
         raise fail(
             UsageProblem,
             "plot.format",
-            f"cannot write a plot to '{path}'",
+            f"cannot write a plot to `{path}`",
             hint="use a file name that ends in .png, .svg or .pdf",
         )
     metadata = {"png": {"Software": ""}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]

@@ -209,10 +209,10 @@ def _constant(node: Expr) -> SX:
 
 def _refuse(node: Expr) -> Exception:
     what = {
-        "sym": f"'{node.value}' has no value here",
-        "call": f"the call of function '{node.value}' could not be inlined",
+        "sym": f"`{node.value}` has no value here",
+        "call": f"the call of function `{node.value}` could not be inlined",
         "const": f"the string {node.value!r} has no numeric value",
     }
-    message = what.get(node.op, f"'{node.op}' cannot be turned into code")
+    message = what.get(node.op, f"`{node.op}` cannot be turned into code")
     names = (node.name,) if node.op in ("sym", "call") else ()
     return fail(UnsupportedProblem, "codegen.no-code", message, names=names)

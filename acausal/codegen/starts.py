@@ -56,11 +56,11 @@ def _check_dependents(system: CausalSystem, free: set[str]) -> None:
             raise fail(
                 UnsupportedProblem,
                 "codegen.dependent-parameter",
-                f"the initial equations use parameter '{name}', which is computed from '{of[name]}', "
+                f"the initial equations use parameter `{name}`, which is computed from `{of[name]}`, "
                 "which they determine",
                 system.flat.by_name[name].span,
                 names=[name, of[name]],
-                hint=f"give '{name}' fixed = false too, and its value in an initial equation",
+                hint=f"give `{name}` fixed = false too, and its value in an initial equation",
             )
 
 

@@ -51,7 +51,7 @@ def write_incidence(explanation: Explanation, path: Path) -> None:
     """Write PNG, SVG or PDF. Raises `UsageProblem` for other endings."""
     if path.suffix.lower() not in PLOTS:
         hint = f"end the name in {', '.join(PLOTS)}"
-        raise fail(UsageProblem, "plot.format", f"cannot write a plot to '{path}'", hint=hint)
+        raise fail(UsageProblem, "plot.format", f"cannot write a plot to `{path}`", hint=hint)
     _save(_figure(explanation), path, path.suffix.lower()[1:])
 
 

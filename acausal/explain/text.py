@@ -90,7 +90,7 @@ def _aliases(explanation: Explanation) -> list[str]:
 
 
 def _flat_text(equation: Equation) -> str:
-    return f"'{short(equation_text(equation), MOST_TEXT)}' ({where(equation)})"
+    return f"`{short(equation_text(equation), MOST_TEXT)}` ({where(equation)})"
 
 
 def _index(explanation: Explanation) -> list[str]:

@@ -158,10 +158,10 @@ def _check(code: Code, values: Vector) -> None:
             ]
         )
         message = (
-            f"the initial values contradict '{shown(check.equation)}' ({place(span)}): "
+            f"the initial values contradict `{shown(check.equation)}` ({place(span)}): "
             f"it is off by {number(residual)}, with {found}"
         )
-        hint = "fewer start values may be fixed: remove 'fixed = true' from one of these, or make them agree"
+        hint = "fewer start values may be fixed: remove `fixed = true` from one of these, or make them agree"
         problems.append(Diagnostic("initialize.inconsistent", message, check.equation.flat.span, names, hint))
     if problems:
         raise InitializationProblem(problems)

@@ -98,13 +98,13 @@ def _bad_function(item: _Moving, time: float) -> AcausalError:
         error = fail(
             SimulationProblem,
             "simulate.input-value",
-            f"the function given for input '{name}' failed {at(time)}: {type(problem).__name__}: {problem}",
+            f"the function given for input `{name}` failed {at(time)}: {type(problem).__name__}: {problem}",
             item.variable.span,
             names=[name],
         )
         error.__cause__ = problem
         return error
-    message = f"the function given for input '{name}' returned {value} {at(time)}"
+    message = f"the function given for input `{name}` returned {value} {at(time)}"
     return fail(SimulationProblem, "simulate.input-value", message, item.variable.span, names=[name])
 
 
@@ -135,7 +135,7 @@ def bind_inputs(code: Code, p: Vector, given: Mapping[str, InputValue], start: f
 def _missing(variables: Sequence[Variable]) -> AcausalError:
     names = [variable.name for variable in variables]
     first = names[0]
-    what = f"input '{first}' has" if len(names) == 1 else f"inputs {', '.join(names)} have"
+    what = f"input `{first}` has" if len(names) == 1 else f"inputs {', '.join(names)} have"
     return fail(
         UsageProblem,
         "simulate.input-missing",
@@ -156,10 +156,10 @@ def _check_names(code: Code, given: Mapping[str, InputValue]) -> None:
         other = flat.by_name.get(name)
         if other is not None:
             what = "a parameter: use parameters=" if other.is_parameter else "determined by the equations"
-            hint = f"'{name}' is {what}"
+            hint = f"`{name}` is {what}"
         else:
             hint = did_you_mean(name, known) or (f"inputs: {', '.join(known)}" if known else "it has none")
-        message = f"the model has no input '{name}'"
+        message = f"the model has no input `{name}`"
         span = other.span if other is not None else None
         raise fail(LookupProblem, "simulate.unknown-input", message, span, names=[name], hint=hint)
 
@@ -204,5 +204,5 @@ def _table(variable: Variable, value: tuple[Samples, Samples], start: float, sto
 
 
 def _wrong(variable: Variable, why: str) -> AcausalError:
-    message = f"wrong value for input '{variable.name}': {why}"
+    message = f"wrong value for input `{variable.name}`: {why}"
     return fail(UsageProblem, "simulate.input-value", message, variable.span, names=[variable.name])

@@ -51,13 +51,13 @@ def block_problem(
     unknowns = [leaf_name(leaf) for leaf in block.unknowns]
     noun = "unknown" if len(unknowns) == 1 else "unknowns"
     equations = [block.residuals[i].equation for i in worst] or block_equations(block)[:1]
-    texts = some([f"'{shown(e)}'" for e in equations])
+    texts = some([f"`{shown(e)}`" for e in equations])
     message = (
         f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
     )
     first = Diagnostic(code, message, equations[0].flat.span, tuple(unknowns), hint)
     rest = [
-        Diagnostic(code, f"involved as well: '{shown(e)}'", e.flat.span, tuple(symbols((e.left, e.right))))
+        Diagnostic(code, f"involved as well: `{shown(e)}`", e.flat.span, tuple(symbols((e.left, e.right))))
         for e in equations[1:_SHOWN]
     ]
     return kind([first, *rest])
@@ -65,7 +65,7 @@ def block_problem(
 
 def crossing_text(crossing: ZeroCrossing) -> str:
     """`x < 1 (file:line)`."""
-    return f"'{to_text(crossing.relation)}' ({place(crossing.span)})"
+    return f"`{to_text(crossing.relation)}` ({place(crossing.span)})"
 
 
 def place(span: Span) -> str:

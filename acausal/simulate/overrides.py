@@ -44,10 +44,10 @@ def _unknown(code: Code, name: str) -> AcausalError:
     if variable is None:
         hint = did_you_mean(name, code.system.parameters)
     elif variable.is_input:
-        hint = f"'{name}' is an input: use inputs="
+        hint = f"`{name}` is an input: use inputs="
     else:
-        hint = f"'{name}' is a variable: its start value can be changed with start="
-    message = f"the model has no parameter '{name}'"
+        hint = f"`{name}` is a variable: its start value can be changed with start="
+    message = f"the model has no parameter `{name}`"
     span = variable.span if variable is not None else None
     return fail(LookupProblem, "simulate.unknown-parameter", message, span, names=[name], hint=hint)
 
@@ -69,7 +69,7 @@ def _check_tunable(variable: Variable) -> None:
         why, hint = "is a String", again
     else:
         return
-    message = f"parameter '{name}' {why} and cannot be changed in a run"
+    message = f"parameter `{name}` {why} and cannot be changed in a run"
     raise fail(UsageProblem, "simulate.fixed-parameter", message, variable.span, names=[name], hint=hint)
 
 
@@ -98,7 +98,7 @@ def _ill_typed(variable: Variable, value: Override, wanted: str) -> AcausalError
     return fail(
         UsageProblem,
         "simulate.parameter-type",
-        f"parameter '{variable.name}' is a {variable.type} and cannot be {value!r}",
+        f"parameter `{variable.name}` is a {variable.type} and cannot be {value!r}",
         variable.span,
         names=[variable.name],
         hint=f"give it {wanted}",
@@ -115,7 +115,7 @@ def parameter_values(code: Code, given: Vector, override: Vector) -> Vector:
         if np.isfinite(value) or variable.type == STRING or sym(name) in free:
             continue
         missing = variable.binding is None and variable.start is None
-        message = f"parameter '{name}' has no value" if missing else f"parameter '{name}' is {value}"
+        message = f"parameter `{name}` has no value" if missing else f"parameter `{name}` is {value}"
         hint = "look for a division by zero or a root of a negative number"
         hint = f"give it one: {name}=…" if missing else hint
         problems.append(Diagnostic("simulate.parameter-value", message, variable.span, (name,), hint))
@@ -134,7 +134,7 @@ def start_values(code: Code, p: Vector, start: Mapping[str, float]) -> Vector:
         if name in code.closed_starts:
             raise _closed(code, name)
         if not np.isfinite(value):
-            message = f"{value} is no start value for '{name}'"
+            message = f"{value} is no start value for `{name}`"
             raise fail(UsageProblem, "simulate.start-value", message, names=[name])
         values[position[name]] = value
     return values
@@ -145,13 +145,13 @@ def _unused(code: Code, name: str, used: list[str]) -> AcausalError:
     variable = code.system.flat.by_name.get(name)
     alias = code.system.alias_values.get(name)
     if alias is not None:
-        hint = f"'{name}' equals '{to_text(alias)}': change the start value there"
+        hint = f"`{name}` equals `{to_text(alias)}`: change the start value there"
     elif variable is not None and variable.is_parameter and variable.is_fixed:
-        hint = f"'{name}' is a parameter: use parameters="
+        hint = f"`{name}` is a parameter: use parameters="
     else:
         hint = did_you_mean(name, used) if variable is None else ""
     hint = hint or f"start values in use: {some(used)}"
-    message = f"the initial problem uses no start value of '{name}'"
+    message = f"the initial problem uses no start value of `{name}`"
     span = variable.span if variable is not None else None
     return fail(LookupProblem, "simulate.unused-start", message, span, names=[name], hint=hint)
 
@@ -161,7 +161,7 @@ def _closed(code: Code, name: str) -> AcausalError:
     return fail(
         UsageProblem,
         "simulate.closed-start",
-        f"the start value of '{name}' is '{to_text(value)}', which the initial equations determine",
+        f"the start value of `{name}` is `{to_text(value)}`, which the initial equations determine",
         code.system.flat.by_name[name].span,
         names=[name],
         hint="change the start value of the parameter in it, or compile again with another start value",

@@ -55,11 +55,11 @@ class Recorder:
             text = message_text(assertion.message)
             names = symbols([assertion.condition])
             if assertion.level.endswith("warning"):
-                message = f"{text} (first {at(time)}; '{to_text(assertion.condition)}' is false)"
+                message = f"{text} (first {at(time)}; `{to_text(assertion.condition)}` is false)"
                 warning = Diagnostic("simulate.assertion", message, assertion.span, names, severity="warning")
                 self._violated.setdefault(int(i), warning)
                 continue
-            message = f"{text} ({at(time)}; '{to_text(assertion.condition)}' is false)"
+            message = f"{text} ({at(time)}; `{to_text(assertion.condition)}` is false)"
             raise SimulationProblem(Diagnostic("simulate.assertion", message, assertion.span, names))
 
     @property

@@ -85,7 +85,7 @@ class Result:
         raise fail(
             LookupProblem,
             "result.unknown-name",
-            f"the result has no variable '{name}'",
+            f"the result has no variable `{name}`",
             names=[name],
             hint=did_you_mean(name, self.names),
         )

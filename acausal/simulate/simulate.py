@@ -48,7 +48,7 @@ def simulate(
     if solver not in SOLVERS:
         hint = did_you_mean(solver, SOLVERS) or f"there is {', '.join(SOLVERS)}"
         raise fail(
-            UsageProblem, "simulate.solver", f"there is no solver '{solver}'", names=[solver], hint=hint
+            UsageProblem, "simulate.solver", f"there is no solver `{solver}`", names=[solver], hint=hint
         )
     options = resolve(
         code.system.flat.experiment,

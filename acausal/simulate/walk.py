@@ -81,7 +81,7 @@ def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], h
     return fail(
         how.kind,
         "simulate.not-finite",
-        f"{leaf_name(unknown)} is {what} {at(how.time)}, computed from '{shown(equation)}'",
+        f"{leaf_name(unknown)} is {what} {at(how.time)}, computed from `{shown(equation)}`",
         equation.flat.span,
         names=[leaf_name(unknown), *map(leaf_name, inputs)],
         hint=f"with {given}" if given else "",

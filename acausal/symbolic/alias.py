@@ -174,13 +174,13 @@ def _fixed_constant(
 def _start_against_value(variable: Variable, value: Expr, search: AliasSearch) -> InitializationProblem:
     pinned = search.classes.of(variable.name).pinned
     source = None if pinned is None else search.flat.equations[pinned.equation]
-    because = "" if source is None else f" by '{shown(source)}' ({place(source.span)})"
+    because = "" if source is None else f" by `{shown(source)}` ({place(source.span)})"
     problem = fail(
         InitializationProblem,
         "start.conflict",
-        f"'{variable.name}' has a fixed start value, but its value is {to_text(value)}{because}",
+        f"`{variable.name}` has a fixed start value, but its value is {to_text(value)}{because}",
         variable.span,
         names=(variable.name,),
-        hint=f"remove 'fixed = true' from '{variable.name}'",
+        hint=f"remove `fixed = true` from `{variable.name}`",
     )
     return InitializationProblem(problem.diagnostics)

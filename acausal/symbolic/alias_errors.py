@@ -39,7 +39,7 @@ def _surplus(equation: Equation, names: tuple[str, ...], why: str, hint: str = _
     return BalanceProblem(
         Diagnostic(
             "alias.loop",
-            f"the equation '{shown(equation)}' determines nothing: {why}",
+            f"the equation `{shown(equation)}` determines nothing: {why}",
             equation.span,
             names,
             hint,
@@ -53,14 +53,14 @@ def two_values(
     """`name` gets `value` from one equation and another value from another one."""
     first, second = flat.equations[equation], flat.equations[other[1]]
     if same_value(value, other[0], values):
-        why = f"'{name}' = {to_text(value)} already follows from {equation_with_place(second)}"
+        why = f"`{name}` = {to_text(value)} already follows from {equation_with_place(second)}"
         return _surplus(first, _names(first), why)
     return BalanceProblem(
         [
             Diagnostic(
                 "alias.contradiction",
-                f"the equation '{shown(one)}' contradicts {equation_with_place(two)}: "
-                f"'{name}' would be both {to_text(mine)} and {to_text(its)}",
+                f"the equation `{shown(one)}` contradicts {equation_with_place(two)}: "
+                f"`{name}` would be both {to_text(mine)} and {to_text(its)}",
                 one.span,
                 tuple(dict.fromkeys((name, *_names(one)))),
                 "remove one of the two equations",
@@ -81,7 +81,7 @@ def no_unknown_left(
     return BalanceProblem(
         Diagnostic(
             "alias.contradiction",
-            f"'{shown(source)}' cannot hold: with the other equations it reads {reduced}",
+            f"`{shown(source)}` cannot hold: with the other equations it reads {reduced}",
             source.span,
             _names(source),
             "correct this equation; no values of its variables satisfy it",
@@ -110,7 +110,7 @@ def not_differentiable(problem: NotDifferentiable, equation: Equation) -> Reduct
     error = fail(
         ReductionProblem,
         "reduction.not-differentiable",
-        f"the equation '{shown(equation)}' must be differentiated, but '{what}' cannot be: {problem.reason}",
+        f"the equation `{shown(equation)}` must be differentiated, but `{what}` cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
         hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",

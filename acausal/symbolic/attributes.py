@@ -120,11 +120,11 @@ def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
         own, its = (to_text(v.start) if v.start is not None else "0" for v in (variable, other))
         return Diagnostic(
             "start.conflict",
-            f"'{variable.name}' is fixed at {own}, but it is an alias of '{other.name}' "
+            f"`{variable.name}` is fixed at {own}, but it is an alias of `{other.name}` "
             f"({place(other.span)}), which is fixed at {its}",
             variable.span,
             (variable.name, other.name),
-            "remove 'fixed = true' from one of them, or make their start values agree",
+            "remove `fixed = true` from one of them, or make their start values agree",
         )
 
     return InitializationProblem([diagnostic(a, b), diagnostic(b, a)])

@@ -108,7 +108,7 @@ def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnos
     result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, _hint_over(system, part))]
     for eq in suspects[1:SHOWN]:
         equation = system.equations[eq]
-        message = f"'{shown(equation)}' belongs to the {len(part.equations)} equations in conflict"
+        message = f"`{shown(equation)}` belongs to the {len(part.equations)} equations in conflict"
         result.append(Diagnostic(code, message, equation.span, names[:SHOWN], "it may be the one too many"))
     return result
 
@@ -130,7 +130,7 @@ def _hint_over(system: Structure, part: Part) -> str:
     if zero:
         return (
             f"{remove}, or connect what is not connected: "
-            + listed([f"'{shown(equation)}'" for equation in zero])
+            + listed([f"`{shown(equation)}`" for equation in zero])
             + " stands for an unconnected connector"
         )
     if any(system.equations[eq].origin is Origin.CONNECTION for eq in part.equations):
@@ -157,7 +157,7 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
     hint = _hint_under(variables, len(part.variables) - len(part.equations))
     result = [Diagnostic(code, why, variables[0].span, names, hint)]
     for variable in variables[1:SHOWN]:
-        message = f"'{variable.name}' belongs to the unknowns without enough equations"
+        message = f"`{variable.name}` belongs to the unknowns without enough equations"
         result.append(
             Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined")
         )

@@ -43,7 +43,7 @@ def equation_with_place(equation: Equation) -> str:
         where += f", {equation.origin.value}"
     if equation.component:
         where += f" in {equation.component}"
-    return f"'{shown(equation)}' ({where})"
+    return f"`{shown(equation)}` ({where})"
 
 
 def listed(items: Sequence[str], shown: int = SHOWN) -> str:

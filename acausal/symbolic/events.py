@@ -85,7 +85,7 @@ def _equality(node: Expr, span: Span) -> TypeProblem:
     error = fail(
         TypeProblem,
         "type.real-equality",
-        f"'{to_text(node)}' compares Real values for equality, which is only allowed in functions",
+        f"`{to_text(node)}` compares Real values for equality, which is only allowed in functions",
         span,
         names=[leaf.name for leaf in all_leaves([node]) if leaf.op == "sym"],
         hint="compare with a tolerance: abs(a - b) < eps",

@@ -86,7 +86,7 @@ def _cyclic(flat: FlatModel, cycle: list[str]) -> LookupProblem:
         [
             Diagnostic(
                 "parameter.cyclic",
-                f"the value of '{name}' depends on itself: {path}",
+                f"the value of `{name}` depends on itself: {path}",
                 flat.by_name[name].span,
                 tuple(cycle),
                 "give one of them a value that does not use the others",
@@ -144,7 +144,7 @@ def out_of_range(variable: Variable, value: Constant | None, known: ParameterVal
 def _no_value(variable: Variable) -> Diagnostic:
     return Diagnostic(
         "parameter.no-value",
-        f"the parameter '{variable.name}' has no value",
+        f"the parameter `{variable.name}` has no value",
         variable.span,
         (variable.name,),
         f"give it one in its declaration or set it: {variable.name} = ...",
@@ -154,7 +154,7 @@ def _no_value(variable: Variable) -> Diagnostic:
 def _start_used(variable: Variable) -> Diagnostic:
     return Diagnostic(
         "parameter.start-used",
-        f"the parameter '{variable.name}' has no value; its start value is used ({place(variable.span)})",
+        f"the parameter `{variable.name}` has no value; its start value is used ({place(variable.span)})",
         variable.span,
         (variable.name,),
         "give it a value in its declaration",

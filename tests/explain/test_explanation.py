@@ -47,7 +47,7 @@ def test_alias_elimination_differentiates_too() -> None:
     assert (equation_text(position.equation), position.times) == ("s1 = s2", 2)
     assert speed.times == 1
     assert speed.equation.span.line in (4, 5)
-    assert f"'s1 = s2' (<string>:6) twice, while {position.alias} was eliminated" in explanation.text
+    assert f"`s1 = s2` (<string>:6) twice, while {position.alias} was eliminated" in explanation.text
 
 
 def test_dependencies_are_those_of_the_equations(pendulum: Explanation) -> None:
@@ -99,7 +99,7 @@ def test_text_has_every_stage(pendulum: Explanation) -> None:
     for part in (
         "Pendulum: A point mass on a rod",
         "6 equations in 6 unknowns",
-        "height = -y  by 'height = -y' (<string>:7, binding)",
+        "height = -y  by `height = -y` (<string>:7, binding)",
         "index 3: 2 levels of differentiation",
         "kept over y",
         "follows from x through",

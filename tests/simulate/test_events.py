@@ -123,7 +123,7 @@ def test_events_that_set_off_others() -> None:
 def test_sliding_is_an_error_that_names_the_condition() -> None:
     relation = e.relation("gt", X, e.ZERO)
     code = generate(hand_system({"x": 0.3}, [rate("x", switch(relation, -1.0, 1.0))], relations=[relation]))
-    with pytest.raises(SimulationProblem, match=r"'x > 0.0'.*time 0\.3") as caught:
+    with pytest.raises(SimulationProblem, match=r"`x > 0.0`.*time 0\.3") as caught:
         simulate(code)
     assert caught.value.codes == ("simulate.mode-cycle",)
     assert caught.value.diagnostics[0].names == ("x",)

@@ -61,7 +61,7 @@ def test_conditions_that_contradict_themselves_are_named() -> None:
       der(x) = z + ok;
     end Never;
     """
-    with pytest.raises(InitializationProblem, match="'z > 0") as caught:
+    with pytest.raises(InitializationProblem, match="`z > 0") as caught:
         initialize(acausal.loads(text).compile().code, 0.0)
     assert caught.value.codes == ("initialize.mode-cycle",)
     assert caught.value.diagnostics[0].names == ("z",)

@@ -56,7 +56,7 @@ def test_initial_equations_other_than_starts() -> None:
 def test_contradicting_start_values_name_equation_and_values() -> None:
     check = Residual(e.sub(X, Y), equation(X, Y))
     code = generate(hand_system({"x": 1.0, "y": 2.0}, [rate("x", Y), rate("y", X)], checks=[check]))
-    with pytest.raises(InitializationProblem, match=r"'x = y' \(hand.mo:2\).*x = 1, y = 2") as caught:
+    with pytest.raises(InitializationProblem, match=r"`x = y` \(hand.mo:2\).*x = 1, y = 2") as caught:
         initialize(code, 0.0)
     assert caught.value.codes == ("initialize.inconsistent",)
 
@@ -90,7 +90,7 @@ def test_modes_without_fixed_point_name_the_condition() -> None:
     relation = e.relation("gt", Z, const(1.0))
     value = e.if_then_else(relation, const(0.0), const(2.0))
     code = generate(hand_system({"x": 1.0}, [explicit(Z, value), rate("x", Z)], relations=[relation]))
-    with pytest.raises(InitializationProblem, match=r"'z > 1.0' \(hand.mo:2\)") as caught:
+    with pytest.raises(InitializationProblem, match=r"`z > 1.0` \(hand.mo:2\)") as caught:
         initialize(code, 0.0)
     assert caught.value.codes == ("initialize.mode-cycle",)
 
@@ -119,7 +119,7 @@ def test_not_a_number_at_the_start() -> None:
 
 def test_parameter_that_is_infinite() -> None:
     code = generate(hand_system({"x": 1.0}, [rate("x", X)], parameters={"a": 1.0}))
-    with pytest.raises(InitializationProblem, match="parameter 'a'"):
+    with pytest.raises(InitializationProblem, match="parameter `a`"):
         initialize(code, 0.0, {"a": float("inf")})
 
 

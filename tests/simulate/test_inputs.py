@@ -102,7 +102,7 @@ def test_boolean_input_is_a_constant() -> None:
 
 def test_missing_value_names_the_input_and_every_way_to_give_it() -> None:
     with pytest.raises(
-        UsageProblem, match=r"input 'u' has no value(.*\n)*.*inputs=.*-p u\.start=1"
+        UsageProblem, match=r"input `u` has no value(.*\n)*.*inputs=.*-p u\.start=1"
     ) as caught:
         run({})
     assert caught.value.codes == ("simulate.input-missing",)
@@ -113,9 +113,9 @@ def test_missing_value_names_the_input_and_every_way_to_give_it() -> None:
 def test_unknown_names() -> None:
     with pytest.raises(LookupProblem, match="did you mean gain"):
         run({"u": 1.0, "gains": 1.0})
-    with pytest.raises(LookupProblem, match="'T' is a parameter"):
+    with pytest.raises(LookupProblem, match="`T` is a parameter"):
         run({"u": 1.0, "T": 1.0})
-    with pytest.raises(LookupProblem, match="'u' is an input"):
+    with pytest.raises(LookupProblem, match="`u` is an input"):
         simulate(lag(), parameters={"u": 1.0})
 
 
@@ -141,7 +141,7 @@ def test_function_that_fails_on_the_way_is_named() -> None:
             raise ZeroDivisionError("no more")
         return 1.0
 
-    with pytest.raises(SimulationProblem, match=r"input 'u' failed at time 1.*ZeroDivisionError: no more"):
+    with pytest.raises(SimulationProblem, match=r"input `u` failed at time 1.*ZeroDivisionError: no more"):
         run({"u": failing})
-    with pytest.raises(SimulationProblem, match=r"input 'u' returned nan at time 0 s"):
+    with pytest.raises(SimulationProblem, match=r"input `u` returned nan at time 0 s"):
         run({"u": lambda _: math.nan})

@@ -73,7 +73,7 @@ def test_start_value_that_the_initial_equations_determine_is_not_open() -> None:
     p = point.evaluator.p[0]
     assert p - p * p == pytest.approx(-2.0)
     assert point.x == pytest.approx([p])
-    with pytest.raises(UsageProblem, match=r"start value of 'x' is 'p'") as caught:
+    with pytest.raises(UsageProblem, match=r"start value of `x` is `p`") as caught:
         initialize(compiled, 0.0, start={"x": 1.0})
     assert caught.value.codes == ("simulate.closed-start",)
     with pytest.raises(UsageProblem, match="initial equations"):
@@ -91,7 +91,7 @@ def test_parameter_computed_from_one_that_is_determined_is_refused() -> None:
       der(x) = 0;
     end Chained;
     """
-    with pytest.raises(UnsupportedProblem, match="'twice', which is computed from 'p'"):
+    with pytest.raises(UnsupportedProblem, match="`twice`, which is computed from `p`"):
         code(text)
 
 
@@ -99,7 +99,7 @@ def test_start_of_an_alias_says_where_to_change_it() -> None:
     compiled = code(
         "model A Real x(start = 1, fixed = true), y; equation der(x) = -x; y = -x; end A;",
     )
-    with pytest.raises(LookupProblem, match="'y' equals '-x'"):
+    with pytest.raises(LookupProblem, match="`y` equals `-x`"):
         initialize(compiled, 0.0, start={"y": 1.0})
 
 

@@ -126,9 +126,9 @@ def test_senseless_options_are_refused(wrong: dict[str, float]) -> None:
 def test_unknown_solver_and_parameter_are_refused() -> None:
     with pytest.raises(UsageProblem, match="did you mean cvode"):
         simulate(decay(), solver="cvod")
-    with pytest.raises(LookupProblem, match="no parameter 'kk'"):
+    with pytest.raises(LookupProblem, match="no parameter `kk`"):
         simulate(decay(), parameters={"kk": 1.0})
-    with pytest.raises(LookupProblem, match="'nothing'"):
+    with pytest.raises(LookupProblem, match="`nothing`"):
         simulate(decay(), start={"nothing": 1.0})
 
 

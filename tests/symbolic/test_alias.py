@@ -131,12 +131,12 @@ def test_two_fixed_starts_must_agree() -> None:
     assert caught.value.codes == ("start.conflict", "start.conflict")
     lines = [d.span.line for d in caught.value.diagnostics if d.span is not None]
     assert lines == [3, 4]
-    assert "'y'" in caught.value.diagnostics[0].message
+    assert "`y`" in caught.value.diagnostics[0].message
 
 
 def test_a_fixed_start_must_agree_with_a_constant_value() -> None:
     assert simplified(model("x = 3", variables={"x": {"start": 3, "fixed": True}})).initial_equations == ()
-    with pytest.raises(InitializationProblem, match=r"its value is 3.0 by 'x = 3.0'"):
+    with pytest.raises(InitializationProblem, match=r"its value is 3.0 by `x = 3.0`"):
         simplified(model("x = 3", variables={"x": {"start": 1, "fixed": True}}))
 
 

@@ -48,7 +48,7 @@ def test_singular_though_balanced_shows_both_parts() -> None:
     found = problems(model("a = 1", "a = 2", "b + c = a"))
     assert {d.code for d in found} == {"balance.structurally-singular"}
     text = " ".join(d.message for d in found)
-    assert "'a = 1.0' (test.mo:1)" in text
+    assert "`a = 1.0` (test.mo:1)" in text
     assert "2 unknowns (b, c) for only 1 equation" in text
     assert set(lines(found)) == {1, 2, 5, 6}
 
