@@ -270,7 +270,7 @@ def summary_of(compilation: Compilation) -> dict[str, object]:
     summary: dict[str, object] = {"model": compilation.node.path}
     flat, causal = compilation.flat, compilation.causal
     if flat is not None:
-        summary |= {"equations": len(flat.equations), "variables": len(flat.unknowns)}
+        summary |= {"equations": flat.equation_count, "variables": len(flat.unknowns)}
     if causal is not None:
         largest = max(causal.blocks, key=lambda b: b.size, default=None)
         summary |= {

@@ -94,7 +94,7 @@ def print_summary(compilation: Compilation) -> None:
 def _facts(compilation: Compilation) -> Iterator[tuple[str, str]]:
     flat, causal = compilation.flat, compilation.causal
     if flat is not None:
-        yield "equations", f"{len(flat.equations)} in {len(flat.unknowns)} unknowns"
+        yield "equations", f"{flat.equation_count} in {len(flat.unknowns)} unknowns"
     if causal is not None:
         largest = max(causal.blocks, key=lambda block: block.size, default=None)
         torn = max((len(block.tearing) for block in causal.blocks), default=0)

@@ -64,6 +64,11 @@ def _log10(args: list[SX]) -> SX:
     return ca.log10(args[0])
 
 
+def _first(args: list[SX]) -> SX:
+    """`homotopy(actual, simplified)` once it has come to its end."""
+    return args[0]
+
+
 def _truncated_quotient(args: list[SX]) -> SX:
     """`div(a, b)`: the quotient rounded towards zero."""
     quotient = SX.binary(ca.OP_DIV, args[0], args[1])
@@ -122,6 +127,7 @@ CONSTRUCTORS: dict[str, _Build] = {
     "idiv": _truncated_quotient,
     "mod": _mod,
     "rem": _rem,
+    "homotopy": _first,
 }
 """SX constructor of every operator that is a function of its arguments' values."""
 

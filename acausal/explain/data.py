@@ -20,7 +20,7 @@ def explanation_data(explanation: Explanation) -> Object:
     system = explanation.system
     return {
         "model": explanation.name,
-        "equations": len(system.flat.equations),
+        "equations": system.flat.equation_count,
         "variables": len(system.flat.unknowns),
         "aliases": [
             {"name": alias.name, "value": to_text(alias.value), "equation": _equation(alias.equation)}

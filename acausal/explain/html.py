@@ -80,7 +80,7 @@ def _counts(explanation: Explanation) -> str:
     size = f" (largest {largest.size}, torn to {torn})" if largest is not None and largest.size > 1 else ""
     kinds = ", ".join(f"{explanation.count(kind)} {kind.value}" for kind in BlockKind)
     facts = {
-        "equations": f"{len(system.flat.equations)}",
+        "equations": f"{system.flat.equation_count}",
         "unknowns": f"{len(system.flat.unknowns)}",
         "aliases": f"{len(system.aliases)}",
         "index": f"{system.index}",

@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from acausal.lang.base_modelica_when import assertion_text, when_lines, with_initial
 from acausal.lang.flat import (
     REAL,
-    Assertion,
     Causality,
     Equation,
     Experiment,
@@ -27,6 +27,7 @@ from acausal.lang.flat import (
     Variability,
     Variable,
 )
+from acausal.lang.triggers import without_triggers
 from acausal.symbolic.expressions.expr import EnumValue, Expr, postorder
 from acausal.symbolic.expressions.text import constant_text, quote_string, quoted_name, to_text
 
@@ -35,13 +36,18 @@ HEADER = "//! base 0.1.0"
 
 def print_flat(flat: FlatModel) -> str:
     """The whole model as one Base Modelica text, ending in a line end."""
+    flat = with_initial(without_triggers(flat))
     name = quoted_name(flat.name)
     lines = [HEADER, f"package {name}"]
     lines += [f"  {_enumeration(type_)};" for type_ in _enumerations(flat)]
     lines.append(f"  model {name}{_comment(flat.description)}")
     lines += [f"    {_declaration(variable)};" for variable in flat.variables]
+    clauses = [when_lines(when) for when in flat.whens]
     lines += _section(
-        "equation", [_equation(e) for e in flat.equations], [_assertion(a) for a in flat.assertions]
+        "equation",
+        [_equation(e) for e in flat.equations],
+        [assertion_text(a.condition, a.message, a.level) for a in flat.assertions],
+        ["\n    ".join(clause) for clause in clauses if clause],
     )
     lines += _section("initial equation", [_equation(e) for e in flat.initial_equations])
     lines += _experiment(flat.experiment)
@@ -84,6 +90,12 @@ def _expressions(flat: FlatModel) -> Iterator[Expr]:
     for assertion in flat.assertions:
         yield assertion.condition
         yield assertion.message
+    for when in flat.whens:
+        for branch in when.branches:
+            yield from branch.conditions
+            yield from [equation.right for equation in branch.equations]
+            yield from [reinit.value for reinit in branch.reinits]
+            yield from [assertion.condition for assertion in branch.assertions]
 
 
 def _enumeration(type_: ScalarType) -> str:
@@ -148,14 +160,6 @@ def _equation(equation: Equation) -> str:
     """The left side is a simple expression in the grammar: an `if` needs parentheses there."""
     left = _text(equation.left)
     return f"{f'({left})' if equation.left.op == 'if' else left} = {_text(equation.right)}"
-
-
-def _assertion(assertion: Assertion) -> str:
-    level = assertion.level.removeprefix("AssertionLevel.")
-    arguments = [_text(assertion.condition), _text(assertion.message)]
-    if level != "error":
-        arguments.append(f"AssertionLevel.{level}")
-    return f"assert({', '.join(arguments)})"
 
 
 def _experiment(experiment: Experiment) -> list[str]:

@@ -184,12 +184,57 @@ def _logical(node: Expr, args: list[Kind]) -> Kind:
     return _join(BOOLEAN, args)
 
 
+def _event_flag(_node: Expr, args: list[Kind]) -> Kind:
+    """`initial()`, `terminal()`, and `sample` of its two times."""
+    for arg in args:
+        if not arg.type.is_numeric:
+            raise TypeMistake("type.operand", f"sample needs two times, not {article(arg.type)}", _node)
+    return kind(BOOLEAN, Variability.DISCRETE)
+
+
+def _trigger(node: Expr, args: list[Kind]) -> Kind:
+    if args[0].type != BOOLEAN:
+        condition = short_text(node.args[0])
+        message = f"the condition of a `when` must be Boolean, but {condition} is {article(args[0].type)}"
+        raise TypeMistake("type.condition", message, node, "compare it: `x > 0`")
+    if args[0].variability is Variability.CONTINUOUS:
+        message = f"the condition of a `when` must be discrete, but {short_text(node.args[0])} is continuous"
+        raise TypeMistake("when.condition", message, node, "a relation is discrete outside noEvent")
+    return kind(BOOLEAN, Variability.DISCRETE)
+
+
+def _delay(node: Expr, args: list[Kind]) -> Kind:
+    if len(args) not in (2, 3):
+        raise TypeMistake("type.arguments", f"delay takes 2 or 3 arguments, not {len(args)}", node)
+    for part, arg in zip(node.args[1:], args[1:], strict=True):
+        if not arg.type.is_numeric:
+            message = f"delay needs a time in seconds, but {short_text(part)} is {article(arg.type)}"
+            raise TypeMistake("type.operand", message, node)
+    return kind(args[0].type, Variability.CONTINUOUS)
+
+
+def _homotopy(node: Expr, args: list[Kind]) -> Kind:
+    return _join(_common(node, node.args, args), args)
+
+
+def _at_events(condition: Expr) -> bool:
+    """Whether a condition is true at events only, so that what it guards is computed at events only."""
+    if condition.op == "or":
+        return all(_at_events(part) for part in condition.args)
+    if condition.op == "and":
+        return any(_at_events(part) for part in condition.args)
+    return condition.op in ("trigger", "sample", "initial")
+
+
 def _if(node: Expr, args: list[Kind]) -> Kind:
     if args[0].type != BOOLEAN:
         condition = short_text(node.args[0])
         message = f"the condition of an `if` must be Boolean, but {condition} is {article(args[0].type)}"
         raise TypeMistake("type.condition", message, node, "compare it: `x > 0`")
-    return _join(_common(node, node.args[1:], args[1:]), args)
+    type_ = _common(node, node.args[1:], args[1:])
+    if args[1].variability is Variability.CONTINUOUS and _at_events(node.args[0]):
+        return _join(type_, [args[0], kind(args[1].type, Variability.DISCRETE), args[2]])
+    return _join(type_, args)
 
 
 def _der(node: Expr, args: list[Kind]) -> Kind:
@@ -235,6 +280,10 @@ _RULES: dict[str, _Rule] = {
     "noEvent": _no_event,
     "smooth": _smooth,
     "call": _call,
+    **dict.fromkeys(("initial", "terminal", "sample"), _event_flag),
+    "trigger": _trigger,
+    "delay": _delay,
+    "homotopy": _homotopy,
     "if": _if,
     "add": _sum,
     "sign": _sign,

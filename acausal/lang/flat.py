@@ -136,6 +136,7 @@ class Origin(Enum):
     CONNECTION = "connection"
     FLOW_BALANCE = "flow balance"
     UNCONNECTED = "unconnected flow"
+    ALGORITHM = "algorithm"
 
 
 @light_value
@@ -158,6 +159,55 @@ class Assertion:
     level: str
     span: Span
     component: str = ""
+
+
+@light_value
+class Reinit:
+    """`reinit(state, value)`: a new value of a continuous state at an event; `state` is its symbol."""
+
+    state: Expr
+    value: Expr
+    span: Span
+    component: str = ""
+
+
+@light_value
+class Termination:
+    """`terminate(message)`: the end of the simulation, which is no error; `message` is of type String."""
+
+    message: Expr
+    span: Span
+    component: str = ""
+
+
+@light_value
+class WhenBranch:
+    """What happens at the events at which one of the `conditions` becomes true (Modelica 3.6, 8.3.5).
+
+    Left sides of `equations` are symbols of discrete variables. `pre(x)` of a continuous variable, which is
+    allowed here only, is its value before the event.
+    """
+
+    conditions: tuple[Expr, ...]
+    equations: tuple[Equation, ...]
+    reinits: tuple[Reinit, ...]
+    assertions: tuple[Assertion, ...]
+    terminations: tuple[Termination, ...]
+    span: Span
+
+
+@light_value
+class When:
+    """`when ... elsewhen ... end when`: the first branch that fires acts; all assign the same variables."""
+
+    branches: tuple[WhenBranch, ...]
+    span: Span
+    component: str = ""
+
+    @property
+    def assigned(self) -> tuple[Expr, ...]:
+        """Symbols of the variables that the clause determines, in order of appearance: an equation each."""
+        return tuple(dict.fromkeys([e.left for branch in self.branches for e in branch.equations]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +233,12 @@ class FlatModel:
     experiment: Experiment
     span: Span
     warnings: tuple[Diagnostic, ...] = ()
+    whens: tuple[When, ...] = ()
+
+    @property
+    def equation_count(self) -> int:
+        """How many unknowns are determined: an equation for one, a when-clause for each that it assigns."""
+        return len(self.equations) + sum(len(when.assigned) for when in self.whens)
 
     @cached_property
     def by_name(self) -> dict[str, Variable]:

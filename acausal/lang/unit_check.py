@@ -43,7 +43,8 @@ def check_units(flat: FlatModel) -> tuple[Diagnostic, ...]:
         inference.memo[sym(variable.name)] = _declared_measure(variable)
     for variable in flat.variables:
         found += _attributes(flat, inference, variable)
-    for equation in (*flat.equations, *flat.initial_equations):
+    clauses = [equation for when in flat.whens for branch in when.branches for equation in branch.equations]
+    for equation in (*flat.equations, *flat.initial_equations, *clauses):
         found += _equation(flat, inference, equation)
     for assertion in flat.assertions:
         inference.measure(assertion.condition)
@@ -119,6 +120,7 @@ _CONTEXTS = {
         "connect only connectors whose flow variables declare the same unit",
     ),
     Origin.UNCONNECTED: ("the two sides have different units", "in this equation", _CONVERT),
+    Origin.ALGORITHM: ("this variable and its value have different units", "in this algorithm", _CONVERT),
 }
 
 

@@ -80,7 +80,7 @@ class Inference:
             return _quotient(node, args)
         if op == "add":
             return _sum(args, self.join(node, node.args, args))
-        if op in ("min", "max"):
+        if op in ("min", "max", "homotopy"):
             return self.join(node, node.args, args)
         if op in RELATIONS or op == "atan2":
             self.join(node, node.args, args)
@@ -212,7 +212,7 @@ def _unknown(_node: Expr, _args: list[Measure]) -> Measure:
 
 _ARGUMENT_IS_NUMBER = frozenset("sin cos tan asin acos atan sinh cosh tanh exp log log10".split())
 _OTHER: dict[str, Callable[[Expr, list[Measure]], Measure]] = {
-    **dict.fromkeys(("neg", "abs", "pre", "noEvent", "smooth"), _same),
+    **dict.fromkeys(("neg", "abs", "pre", "noEvent", "smooth", "delay"), _same),
     **dict.fromkeys(("floor", "ceil", "mod", "rem"), _doubtful),
     **dict.fromkeys(("sign", "integer", "idiv"), _number),
     "der": _derivative,

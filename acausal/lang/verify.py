@@ -11,7 +11,9 @@
   3.6, 3.8.5);
 - Reals are not compared by `==` or `<>` (3.5: only in functions; the inliner puts those under `noEvent`,
   where it is accepted, as it is between parameters, which can raise no event);
-- `pre` stands on discrete variables, except in initial equations, where everything is discrete.
+- `pre` stands on discrete variables, except in initial equations and at events (when-clauses), where
+  everything is discrete;
+- when-clauses determine discrete variables and set continuous states anew (see `verify_when`).
 
 Linear in the size of the model: each node of the shared expressions is typed once.
 """
@@ -19,27 +21,21 @@ Linear in the size of the model: each node of the shared expressions is typed on
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from difflib import get_close_matches
 
-from acausal.errors import Diagnostic, Span, TypeProblem
+from acausal.errors import Diagnostic, TypeProblem
 from acausal.lang.expression_types import (
-    EQUALITIES,
     REAL_CONTINUOUS,
     Kind,
     TypeMistake,
     article,
     assignable,
     comparable,
-    kind,
-    kind_of,
     short_text,
 )
 from acausal.lang.flat import (
     BOOLEAN,
     REAL,
     STRING,
-    Assertion,
     Equation,
     FlatModel,
     Origin,
@@ -47,7 +43,9 @@ from acausal.lang.flat import (
     Variability,
     Variable,
 )
-from acausal.symbolic.expressions.expr import TIME, Expr, fold, symbols
+from acausal.lang.flat_typing import Typing, mistake_in
+from acausal.lang.verify_when import assertion_problems, when_problems
+from acausal.symbolic.expressions.expr import TIME, Expr, symbols
 
 _MOST = 20
 _ADJECTIVE = {
@@ -61,82 +59,24 @@ _ADJECTIVE = {
 def verify(flat: FlatModel) -> None:
     """Raise `TypeProblem` with all diagnostics (at most 20) unless the model is well formed."""
     found = list(_duplicates(flat))
-    typing = _Typing(flat.by_name)
+    typing = Typing(flat.by_name)
     for variable in flat.variables:
         found += _variable(typing, variable)
     for equation in flat.equations:
-        found += _equation(typing, equation, initial=False)
+        if equation.origin is not Origin.ALGORITHM:
+            found += _equation(typing, equation, initial=False)
     for assertion in flat.assertions:
-        found += _assertion(typing, assertion)
-    typing.initial = True
+        found += assertion_problems(typing, assertion)
+    typing.at_event = True
+    for equation in flat.equations:
+        if equation.origin is Origin.ALGORITHM:
+            found += _equation(typing, equation, initial=False)
+    for when in flat.whens:
+        found += when_problems(typing, when)
     for equation in flat.initial_equations:
         found += _equation(typing, equation, initial=True)
     if found:
         raise TypeProblem(found[:_MOST])
-
-
-# ------------------------------------------------------------------------------ expressions
-
-
-@dataclass
-class _Typing:
-    """Kinds of the nodes met so far, for one run."""
-
-    variables: dict[str, Variable]
-    initial: bool = False
-    memo: dict[Expr, Kind] = field(default_factory=lambda: {TIME: REAL_CONTINUOUS})
-    equalities: dict[Expr, None] = field(default_factory=dict[Expr, None])
-    """Comparisons of Reals by `==` or `<>` that may raise events."""
-    searched: set[Expr] = field(default_factory=set[Expr])
-
-    def kind(self, root: Expr) -> Kind:
-        """The kind of an expression that stands in the model; raises `TypeMistake`."""
-        found = self.memo.get(root)
-        if found is None:
-            found = fold([root], self.visit, self.memo)[root]
-        if self.equalities:
-            self.refuse_equalities(root)
-        return found
-
-    def visit(self, node: Expr, args: list[Kind]) -> Kind:
-        if node.op == "sym":
-            return self.symbol(node)
-        result = kind_of(node, args)
-        if node.op in EQUALITIES and REAL in (args[0].type, args[1].type):
-            if result.raw > Variability.PARAMETER:
-                self.equalities[node] = None
-        elif node.op == "pre" and args[0].variability > Variability.DISCRETE and not self.initial:
-            message = f"pre needs a discrete variable, but {short_text(node.args[0])} is continuous"
-            raise TypeMistake("type.pre", message, node)
-        return result
-
-    def symbol(self, node: Expr) -> Kind:
-        variable = self.variables.get(node.name)
-        if variable is None:
-            near = get_close_matches(node.name, self.variables, 1)
-            hint = f"did you mean `{near[0]}`?" if near else ""
-            raise TypeMistake("flat.unknown-name", f"`{node.name}` is not declared", node, hint)
-        return kind(variable.type, variable.variability)
-
-    def refuse_equalities(self, root: Expr) -> None:
-        """Look for them outside `noEvent`; what was searched without finding any is not searched again."""
-        stack = [root]
-        while stack:
-            node = stack.pop()
-            if node in self.equalities:
-                message = (
-                    f"{short_text(node)} compares Reals for equality, which is allowed in functions only"
-                )
-                hint = "use `<` or `>`, or a tolerance: `abs(a - b) < eps`"
-                raise TypeMistake("type.real-equality", message, node, hint)
-            if node not in self.searched and node.op != "noEvent":
-                self.searched.add(node)
-                stack.extend(node.args)
-
-
-def _mistake(mistake: TypeMistake, span: Span, *names: str) -> Diagnostic:
-    all_names = tuple(dict.fromkeys([*names, *symbols([mistake.node])]))
-    return Diagnostic(mistake.code, mistake.message, span, all_names, mistake.hint)
 
 
 # ------------------------------------------------------------------------------ declarations
@@ -155,7 +95,7 @@ def _duplicates(flat: FlatModel) -> Iterator[Diagnostic]:
             yield Diagnostic("flat.duplicate-name", message, variable.span, ("time",), "use another name")
 
 
-def _variable(typing: _Typing, variable: Variable) -> Iterator[Diagnostic]:
+def _variable(typing: Typing, variable: Variable) -> Iterator[Diagnostic]:
     problem = _declaration_problem(variable)
     if problem is not None:
         yield Diagnostic(problem[0], problem[1], variable.span, (variable.name,))
@@ -196,12 +136,12 @@ def _declaration_problem(variable: Variable) -> tuple[str, str] | None:
     return None
 
 
-def _value(typing: _Typing, variable: Variable, what: str, value: Expr, most: int) -> Iterator[Diagnostic]:
+def _value(typing: Typing, variable: Variable, what: str, value: Expr, most: int) -> Iterator[Diagnostic]:
     """The type and the variability of a binding or an attribute."""
     try:
         found = typing.kind(value)
     except TypeMistake as mistake:
-        yield _mistake(mistake, variable.span, variable.name)
+        yield mistake_in(mistake, variable.span, variable.name)
         return
     if not assignable(variable.type, found.type):
         message = (
@@ -215,7 +155,7 @@ def _value(typing: _Typing, variable: Variable, what: str, value: Expr, most: in
 
 
 def _too_variable(
-    typing: _Typing, variable: Variable, what: str, value: Expr, most: Variability
+    typing: Typing, variable: Variable, what: str, value: Expr, most: Variability
 ) -> Diagnostic:
     variabilities = [(name, _variability(typing, name)) for name in symbols([value])]
     causes = [f"`{name}` is {_ADJECTIVE[found]}" for name, found in variabilities if found > most]
@@ -229,18 +169,18 @@ def _too_variable(
     return Diagnostic("flat.variability", message, variable.span, names)
 
 
-def _variability(typing: _Typing, name: str) -> Variability:
+def _variability(typing: Typing, name: str) -> Variability:
     return Variability.CONTINUOUS if name == TIME.name else typing.variables[name].variability
 
 
 # ------------------------------------------------------------------------------ equations
 
 
-def _equation(typing: _Typing, equation: Equation, *, initial: bool) -> Iterator[Diagnostic]:
+def _equation(typing: Typing, equation: Equation, *, initial: bool) -> Iterator[Diagnostic]:
     try:
         left, right = typing.kind(equation.left), typing.kind(equation.right)
     except TypeMistake as mistake:
-        yield _mistake(mistake, equation.span)
+        yield mistake_in(mistake, equation.span)
         return
     if left is right is REAL_CONTINUOUS:
         return
@@ -272,17 +212,3 @@ def _discreteness(
             hint = "a relation such as `x > 0` is discrete outside noEvent"
             names = symbols([equation.left, equation.right])
             yield Diagnostic("type.discrete", message, equation.span, names, hint)
-
-
-def _assertion(typing: _Typing, assertion: Assertion) -> Iterator[Diagnostic]:
-    parts = (("condition", assertion.condition, BOOLEAN), ("message", assertion.message, STRING))
-    for what, part, needed in parts:
-        try:
-            found = typing.kind(part)
-        except TypeMistake as mistake:
-            yield _mistake(mistake, assertion.span)
-            continue
-        if found.type != needed:
-            text = f"{short_text(part)} is {article(found.type)}"
-            message = f"the {what} of an assert must be {article(needed)}, but {text}"
-            yield Diagnostic("type.assertion", message, assertion.span, symbols([part]))

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from acausal.errors import BalanceProblem, Diagnostic
-from acausal.lang.flat import Equation, FlatModel, Origin, Variable
+from acausal.lang.flat import Equation, FlatModel, Origin, Variable, When
 from acausal.symbolic.describe import SHOWN, dots, equation_with_place, listed, shown
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose, overdetermined_subset
@@ -55,7 +55,18 @@ def check_balance(flat: FlatModel) -> None:
     O(V E) at worst, near-linear in practice. Raises BalanceProblem `balance.too-many-equations`,
     `balance.too-few-equations` or `balance.structurally-singular`.
     """
-    require_complete(structure([(e, e.left, e.right) for e in flat.equations], determined(flat)), flat.name)
+    rows = [(e, e.left, e.right) for e in flat.equations]
+    rows += [(e, e.left, e.left) for when in flat.whens for e in _determining(when)]
+    require_complete(structure(rows, determined(flat)), flat.name)
+
+
+def _determining(when: When) -> tuple[Equation, ...]:
+    """For each variable that a when-clause determines the first equation that does."""
+    first: dict[Expr, Equation] = {}
+    for branch in when.branches:
+        for equation in branch.equations:
+            first.setdefault(equation.left, equation)
+    return tuple(first.values())
 
 
 def require_complete(system: Structure, model: str) -> None:

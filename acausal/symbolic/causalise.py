@@ -24,6 +24,7 @@ from acausal.symbolic.describe import equation_with_place, leaf_texts, listed
 from acausal.symbolic.events import zero_crossings
 from acausal.symbolic.expressions.expr import der, sym
 from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.hybrid_errors import refuse_hybrid
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
 from acausal.symbolic.parameters import parameter_values
@@ -35,9 +36,11 @@ def causalise(flat: FlatModel) -> CausalSystem:
     """Choose states, order and tear the equations, and set up the initial problem.
 
     Time grows near-linearly with the model. Raises BalanceProblem, ReductionProblem, InitializationProblem,
-    LookupProblem (`parameter.cyclic`) and TypeProblem (`parameter.no-value`, `type.real-equality`).
+    LookupProblem (`parameter.cyclic`), TypeProblem (`parameter.no-value`, `type.real-equality`) and
+    UnsupportedProblem for discrete events.
     """
     check_balance(flat)
+    refuse_hybrid(flat)
     model = eliminate_aliases(flat, parameter_values(flat))
     reduced = reduce_index(model)
     return _assembled(reduced, select_states(reduced, starting_point(reduced)), with_initial=True)

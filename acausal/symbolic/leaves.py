@@ -10,7 +10,7 @@ from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.evaluate import Lookup
 from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, rebuild, sym
-from acausal.symbolic.expressions.operators import RELATIONS
+from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS, RELATIONS
 
 
 def is_input(variable: Variable) -> bool:
@@ -39,7 +39,7 @@ def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
             found[node] = None
         elif op == "if":
             stack.extend((node.args[2], node.args[1]))
-        elif op not in RELATIONS:
+        elif op not in _CLOSED:
             stack.extend(reversed(node.args))
     return tuple(found)
 
@@ -60,6 +60,9 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
         else:
             stack.extend(reversed(node.args))
     return tuple(found)
+
+
+_CLOSED = RELATIONS | KNOWN_AT_EVENTS
 
 
 @dataclass(frozen=True)

@@ -189,6 +189,36 @@ def pre(a: Expr) -> Expr:
     return make("pre", (a,))
 
 
+def initial() -> Expr:
+    """`initial()`: true during initialisation and at its event only."""
+    return make("initial")
+
+
+def terminal() -> Expr:
+    """`terminal()`: true at the end of a successful simulation."""
+    return make("terminal")
+
+
+def sample(start: Expr, interval: Expr) -> Expr:
+    """`sample(start, interval)`: true at the events start + i*interval, i = 0, 1, ..., and only then (s)."""
+    return make("sample", (start, interval))
+
+
+def trigger(a: Expr) -> Expr:
+    """The `when`-condition `a` fires: `a and not pre(a)`; `initial()` during initialisation (8.3.5)."""
+    return a if a is FALSE or a.op == "initial" else make("trigger", (a,))
+
+
+def delay(a: Expr, *times: Expr) -> Expr:
+    """`delay(a, T)` or `delay(a, T, Tmax)`: a at time - T, times in s; the first value of a before that."""
+    return a if a.op == "const" else make("delay", (a, *times))
+
+
+def homotopy(actual: Expr, simplified: Expr) -> Expr:
+    """`homotopy(actual, simplified)`: `actual`, which initialisation may reach from the other (3.7.4.3)."""
+    return actual if actual is simplified else make("homotopy", (actual, simplified))
+
+
 def no_event(a: Expr) -> Expr:
     """`noEvent(a)`: no events for the relations in `a`."""
     return a if a.op in ("const", "sym", "noEvent") else make("noEvent", (a,))
@@ -244,4 +274,7 @@ _REBUILD: dict[str, Callable[..., Expr]] = {
     "or": logical_or,
     "if": if_then_else,
     "noEvent": no_event,
+    "trigger": trigger,
+    "delay": delay,
+    "homotopy": homotopy,
 }

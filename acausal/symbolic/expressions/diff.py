@@ -23,6 +23,7 @@ from acausal.symbolic.expressions.expr import (
     div,
     fold,
     function,
+    homotopy,
     if_then_else,
     mul,
     neg,
@@ -139,6 +140,10 @@ def _smooth(node: Expr, d: list[Expr]) -> Expr:
     return smooth(order - 1, d[0]) if order >= 1 else d[0]
 
 
+def _homotopy(node: Expr, d: list[Expr]) -> Expr:
+    return homotopy(d[0], d[1])
+
+
 def _square(a: Expr) -> Expr:
     return power(a, const(2))
 
@@ -148,6 +153,9 @@ RULES: dict[str, Rule] = {
     "sym": _zero,  # leaves are seeded by the caller
     "der": _zero,
     "pre": _zero,  # constant between events
+    **dict.fromkeys(("initial", "terminal", "sample", "trigger"), _zero),
+    "delay": _zero,  # the past; it has no time derivative
+    "homotopy": _homotopy,
     "noEvent": _no_event,
     "smooth": _smooth,
     "call": _zero,  # refused before the rule is asked
@@ -255,6 +263,8 @@ class TimeDerivative:
         moves = any(slope is not ZERO for slope in slopes)
         if node.op == "call" and moves:
             return NotDifferentiable(node, f"the function {node.name} has no known derivative")
+        if node.op == "delay" and moves:
+            return NotDifferentiable(node, "the derivative of a delayed value is not known")
         if not vouched and node.op in JUMPS and moves:
             return NotDifferentiable(node, f"{node.op} jumps")
         if not vouched and node.op == "if" and not self._allowed(node):

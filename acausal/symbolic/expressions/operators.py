@@ -14,7 +14,9 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 LARGEST_INTEGER = 2**63
-Shape = Literal["leaf", "nary", "binary", "unary", "relation", "logical", "if", "wrap", "function", "call"]
+Shape = Literal[
+    "leaf", "nary", "binary", "unary", "relation", "logical", "if", "wrap", "function", "call", "event"
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -68,6 +70,10 @@ def _same(a: float) -> float:
     return a
 
 
+def _actual(actual: object, _simplified: object) -> object:
+    return actual
+
+
 def _if(condition: bool, a: object, b: object) -> object:
     return a if condition else b
 
@@ -118,6 +124,12 @@ _TABLE = (
     Operator("pre", "wrap", 1, "pre", 100),
     Operator("noEvent", "wrap", 1, "noEvent", 100, _same),
     Operator("smooth", "wrap", 1, "smooth", 100, _same),
+    Operator("homotopy", "wrap", 2, "homotopy", 100, _actual),
+    Operator("initial", "event", 0, "initial", 100),
+    Operator("terminal", "event", 0, "terminal", 100),
+    Operator("sample", "event", 2, "sample", 100),
+    Operator("trigger", "event", 1, "trigger", 100),
+    Operator("delay", "event", None, "delay", 100),
     Operator("call", "call", None, "", 100),
     Operator("if", "if", 3, "if", 0, _if),
     Operator("or", "logical", None, "or", 1, _any),
@@ -163,5 +175,7 @@ _TABLE = (
 OPERATORS: dict[str, Operator] = {entry.name: entry for entry in _TABLE}
 RELATIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
 NEGATED_RELATION = {"lt": "ge", "le": "gt", "gt": "le", "ge": "lt", "eq": "ne", "ne": "eq"}
+KNOWN_AT_EVENTS = frozenset({"initial", "terminal", "sample", "trigger", "delay"})
+"""Operators whose value comes from the course of the simulation: nothing is solved for what they hold."""
 EVENT_FUNCTIONS = frozenset({"floor", "ceil", "integer", "idiv", "mod", "rem"})
 """Functions that generate events outside `noEvent` (Modelica 3.6, 3.7.2)."""
