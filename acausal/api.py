@@ -54,8 +54,7 @@ class Model:
         """Names, types, units and the balance of equations; returns warnings, raises `AcausalError`."""
         compilation = self.run({**(parameters or {}), **more}, stop_after="flat")
         assert compilation.flat is not None
-        order_parameters(compilation.flat)
-        check_balance(compilation.flat)
+        check_flat(compilation.flat)
         return compilation.warnings
 
     def compile(
@@ -220,6 +219,15 @@ def loads(text: str, name: str | None = None, *, path: Sequence[str | Path] = ()
     library = Library(searched_directories(path))
     found = add_source(library, Source("<string>", text), name, None)
     return Model(library, found, perf_counter() - began)
+
+
+def check_flat(flat: FlatModel) -> None:
+    """What a check looks at behind the flat model: the order of parameters, the balance of equations.
+
+    Raises `TypeProblem` and `BalanceProblem`.
+    """
+    order_parameters(flat)
+    check_balance(flat)
 
 
 def as_modelica(value: ParameterValue, name: str = "") -> str:

@@ -56,18 +56,23 @@ class Compilation:
 
 
 def compile_model(
-    library: Library, name: str, parameters: Mapping[str, str] | None = None, stop_after: Stage = "code"
+    library: Library,
+    name: str,
+    parameters: Mapping[str, str] | None = None,
+    stop_after: Stage = "code",
+    root: Root | None = None,
 ) -> Compilation:
     """Compile the class `name` with `parameters` (Modelica expressions by dotted name) applied to it.
 
-    Raises the `AcausalError` of the stage that finds something wrong.
+    `root` keeps the scopes of the library's classes from one compilation to the next. Raises the
+    `AcausalError` of the stage that finds something wrong.
     """
     clock = _Clock()
     with _compiling():
         node = clock.run("parse", lambda: library.find(name))
         if stop_after == "ast":
             return Compilation(node, seconds=clock.seconds)
-        translator = Translator(Root(library))
+        translator = Translator(root or Root(library))
         instance = clock.run("flatten", lambda: instantiate(translator, node, parameters or {}))
         if stop_after == "instance":
             return Compilation(node, instance, seconds=clock.seconds)

@@ -60,21 +60,41 @@ def start(
         raise typer.Exit(2)
 
 
-@app.command(short_help="Look for mistakes in a model.")
+@app.command(short_help="Look for mistakes in a model, or in all models of a package.")
 def check(
     model: _Model,
     parameter: _Parameters = None,
+    recursive: Annotated[
+        bool, typer.Option("-r", "--recursive", help="Check all models of the package MODEL.")
+    ] = False,
+    examples: Annotated[
+        bool, typer.Option("--examples", help="Of these, only those with an `experiment` annotation.")
+    ] = False,
+    timeout: Annotated[
+        float | None, typer.Option(metavar="SECONDS", help="Most time for each (default 60).")
+    ] = None,
+    memory: Annotated[
+        int | None, typer.Option(metavar="MB", help="Most memory for each (default 1024).")
+    ] = None,
+    jobs: Annotated[int | None, typer.Option(metavar="N", help="How many at once.")] = None,
     class_: _Class = None,
     path: _Path = None,
     json: _Json = False,
 ) -> None:
     """Look names up; check types, units and the balance of equations and unknowns.
 
-    With --json: the list of all diagnostics, empty when there is nothing to say.
+    With --json: the list of all diagnostics, empty when there is nothing to say. With --recursive: a table
+    of all models and blocks of a package that are not partial; they fail or pass one by one.
     """
     from acausal.cli.commands import Target, run_check
+    from acausal.cli.survey import Selection, run_survey
 
-    run_check(Target(model, class_, tuple(path or ()), tuple(parameter or ())), as_json=json)
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    selection = Selection(recursive, examples, timeout, memory, jobs)
+    selection.verify()
+    if recursive:
+        raise typer.Exit(run_survey(target, selection, as_json=json))
+    run_check(target, as_json=json)
 
 
 @app.command("compile", short_help="Say what a model becomes, or print a stage.")

@@ -88,6 +88,12 @@ class ClassNode:
             names += [name for name in stored_names(self.folder) if name not in names]
         return names
 
+    def ordered_names(self) -> list[str]:
+        """As `child_names`, in the order of `package.order` (13.4.1); what it leaves out comes last."""
+        names = self.child_names()
+        rank = {name: i for i, name in enumerate(stored_order(self.folder))} if self.folder else {}
+        return sorted(names, key=lambda name: rank.get(name, len(rank)))
+
     def _inside(self) -> dict[str, ClassNode]:
         if self._stored is None:
             self._stored = {}
@@ -110,6 +116,15 @@ def stored_names(folder: Path) -> Iterator[str]:
             yield entry.name
         elif entry.suffix == ".mo" and entry.name != "package.mo":
             yield entry.stem
+
+
+def stored_order(folder: Path) -> list[str]:
+    """The names listed in `package.order`, as far as it can be read; it is a wish, not a promise (13.4.1)."""
+    try:
+        text = (folder / "package.order").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return []
+    return [line.strip() for line in text.splitlines() if line.strip()]
 
 
 def find_stored(folder: Path, name: str) -> Path | None:
@@ -198,6 +213,8 @@ class Library:
 
     def __post_init__(self) -> None:
         self._classes: dict[str, ClassNode | None] = {}
+        self.given: list[str] = []
+        """Names of the classes that were added from texts, in order."""
 
     def add(self, definition: ast.ClassDefinition, folder: Path | None = None) -> ClassNode:
         """Add a top-level class from a text that is not on the path."""
@@ -212,6 +229,7 @@ class Library:
             )
         node = ClassNode(definition, None, folder)
         self._classes[definition.name] = node
+        self.given.append(definition.name)
         return node
 
     def top_level(self, name: str) -> ClassNode | None:

@@ -24,7 +24,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.study",),
     ("acausal.explain", "acausal.sources"),
     ("acausal.api",),
-    ("acausal.notebook",),
+    ("acausal.notebook", "acausal.survey"),
     ("acausal",),
     ("acausal.cli", "acausal.demo"),
     ("acausal.__main__",),
