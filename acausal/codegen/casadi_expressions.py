@@ -134,13 +134,16 @@ CONSTRUCTORS: dict[str, _Build] = {
 WRAPPERS = frozenset({"noEvent", "smooth"})
 """Below these, relations are computed instead of being events."""
 
+SWITCHING = RELATIONS | {"floor"}
+"""Operators whose value may be given from outside, constant between events."""
+
 
 class Converter:
     """Converts expressions to SX over fixed leaves; the memos live as long as the converter.
 
     `leaves` gives the SX of symbols, `der(x)` and anything else that is an input (more may be added between
-    calls, as blocks are solved). A relation in `modes` becomes its mode symbol, except below `noEvent` and
-    `smooth`, where it is computed: hence one memo for each of the two contexts.
+    calls, as blocks are solved). A relation or `floor` in `modes` becomes its symbol, except below `noEvent`
+    and `smooth`, where it is computed: hence one memo for each of the two contexts.
     """
 
     def __init__(self, leaves: dict[Expr, SX], modes: Mapping[Expr, SX]) -> None:
@@ -157,7 +160,7 @@ class Converter:
         found = self.leaves.get(node)
         if found is None:
             found = self._memos[literal].get(node)
-        if found is None and not literal and node.op in RELATIONS:
+        if found is None and not literal and node.op in SWITCHING:
             found = self.modes.get(node)
         return found
 

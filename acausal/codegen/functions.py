@@ -1,9 +1,15 @@
 """Code: everything the run-time calls, as CasADi Functions with named inputs and outputs.
 
 Vectors: `t` time, `x` states, `p` all parameters and constants in `CausalSystem.parameters` order, `m`
-modes in `zero_crossings` order (0 or 1), `u` inputs in `FlatModel.inputs` order, `s` start values in
-`InitialProblem.values` order, `z` the tearing variables of the implicit blocks: a guess for `ode` and `jac`,
-which solve for them, and the solution (`z_out` of `ode` at the same point) for everything else.
+modes in `zero_crossings` order (0 or 1), `u` inputs in `FlatModel.inputs` order and then
+`CausalSystem.delays`, `d` the frozen values in `DiscretePart.frozen` order (discrete variables, values before
+the event, whole numbers), `s` start values in `InitialProblem.values` order, `z` the tearing variables of the
+implicit blocks: a guess for `ode` and `jac`, which solve for them, and the solution (`z_out` of `ode` at the
+same point) for everything else. `m` and `d` are constant between events.
+
+Integrators look for sign changes only in the entries `located` of `events`; the other crossings happen at
+known instants (`instants`), which the event loop passes as the end of `advance`. What happens at an event is
+the event loop's (`simulate.run`): an integrator stops there and is restarted with new `x`, `m` and `d`.
 
 All Functions but `parameters`, `starts`, `given_inputs` and `nominals` can be generated as C from here
 (`casadi.CodeGenerator`); a C run-time takes the pieces in `dynamic.codes` and brings its own Newton method.
@@ -40,6 +46,7 @@ from acausal.symbolic.expressions.expr import (
 )
 
 _FLOOR = 1e-3
+_STARTING = frozenset({"sym", "der", "pre", "sample", "initial", "terminal"})
 
 
 @dataclass(frozen=True)
@@ -74,22 +81,26 @@ class Code:
     nominals: Function
     """`p -> (x, z)`: nominal values of the states and of the tearing variables."""
     ode: Function
-    """`(t, x, p, m, u, z) -> (xdot, z_out)`; `z` is a guess."""
+    """`(t, x, p, m, u, d, z) -> (xdot, z_out)`; `z` is a guess."""
     jac: Function
-    """`(t, x, p, m, u, z) -> J`, the sparse exact d xdot / d x; `z` is a guess."""
+    """`(t, x, p, m, u, d, z) -> J`, the sparse exact d xdot / d x; `z` is a guess."""
     outputs: Function
-    """`(t, x, p, m, u, z) -> y`: the values in `output_leaves` order."""
+    """`(t, x, p, m, u, d, z) -> y`: the values in `output_leaves` order."""
     events: Function
-    """`(t, x, p, m, u, z) -> root`: left minus right side of every zero crossing."""
+    """`(t, x, p, m, u, d, z) -> root`: left minus right side of every zero crossing."""
     sizes: Function
-    """`(t, x, p, m, u, z) -> size`: sum of the absolute values of both sides, to judge what a zero is."""
+    """`(t, x, p, m, u, d, z) -> size`: sum of the absolute values of both sides, to judge what a zero is."""
     conditions: Function
-    """`(t, x, p, m, u, z) -> ok`: the assertions' conditions, 0 or 1."""
+    """`(t, x, p, m, u, d, z) -> ok`: the assertions' conditions, 0 or 1."""
+    instants: Function
+    """`(p, d) -> t`: when the crossings that are not `located` happen; not finite or past where never."""
+    located: tuple[int, ...]
+    """The zero crossings that must be found by their roots; those of monitors are the last."""
     checks: Checks
 
     @cached_property
     def output_leaves(self) -> tuple[Expr, ...]:
-        """States, inputs, then every unknown of the blocks: what `outputs` returns."""
+        """States, inputs, every unknown of the blocks, discrete variables: what `outputs` returns."""
         return output_leaves(self.system)
 
     @cached_property
@@ -119,11 +130,17 @@ def input_leaves(system: CausalSystem) -> tuple[Expr, ...]:
     return tuple(sym(variable.name) for variable in system.flat.inputs)
 
 
+def discrete_variables(system: CausalSystem) -> tuple[Expr, ...]:
+    """The discrete variables as leaves, in the order in which they are assigned."""
+    return tuple(leaf for leaf in system.discrete.unknowns if leaf.op == "sym")
+
+
 def output_leaves(system: CausalSystem) -> tuple[Expr, ...]:
-    """States, inputs, then the unknowns of the dynamic blocks in order, each once."""
+    """States, inputs, then the unknowns of the dynamic blocks and discrete variables in order, each once."""
     found = dict.fromkeys((*state_leaves(system), *input_leaves(system)))
     for block in system.blocks:
         found.update(dict.fromkeys(block.unknowns))
+    found.update(dict.fromkeys(discrete_variables(system)))
     return tuple(found)
 
 
@@ -133,7 +150,8 @@ def generate(system: CausalSystem) -> Code:
     states = state_leaves(system)
     modes = tuple(crossing.relation for crossing in system.zero_crossings)
     starts = tuple(start_leaf(value.name) for value in system.initial.values)
-    known = (("p", parameters), ("m", modes), ("u", input_leaves(system)))
+    inputs = (*input_leaves(system), *system.delays)
+    known = (("p", parameters), ("m", modes), ("u", inputs), ("d", system.discrete.frozen))
     opened = open_starts(system)
     dynamic = Program((("t", (TIME,)), ("x", states), *known), system.blocks, "block")
     initial = Program((("t", (TIME,)), *known, ("s", starts)), opened.blocks, "initial")
@@ -159,6 +177,8 @@ def generate(system: CausalSystem) -> Code:
         events=stitching.function("events", Goal("root", roots)),
         sizes=stitching.function("sizes", Goal("size", sizes)),
         conditions=stitching.function("conditions", Goal("ok", _conditions(system), True)),
+        instants=_instants(system, parameters),
+        located=tuple(i for i, crossing in enumerate(system.zero_crossings) if crossing.instant is None),
         checks=_checks(initial, nominals, opened),
     )
 
@@ -176,18 +196,26 @@ def _conditions(system: CausalSystem) -> tuple[Expr, ...]:
 
 def _start_roots(system: CausalSystem, roots: tuple[Expr, ...], starts: tuple[Expr, ...]) -> Function:
     """The zero crossings' roots with start values put in for the variables."""
-    inputs = input_leaves(system)
+    inputs = (*input_leaves(system), *system.delays)
     parameters = tuple(sym(name) for name in system.parameters)
     scope = Scope([("t", (TIME,)), ("p", parameters), ("u", inputs), ("s", starts)])
     leaves = scope.convert.leaves
-    given = {leaf.args[0]: leaves[leaf] for leaf in starts}
+    given = {value.name: leaves[leaf] for value, leaf in zip(system.initial.values, starts, strict=True)}
     for node in postorder(roots):
-        if node in leaves or node.op not in ("sym", "der", "pre"):
+        if node in leaves or node.op not in _STARTING:
             continue
-        variable = system.flat.by_name.get(node.name) if node.op == "sym" else None
+        base = node if node.op == "sym" else node.args[0] if node.op == "pre" else None
+        name = base.name if base is not None and base.op == "sym" else ""
+        variable = system.flat.by_name.get(name)
         start = variable.start if variable is not None and variable.start is not None else ZERO
-        leaves[node] = given[node] if node in given else scope.convert(start)
+        leaves[node] = given[name] if name in given else scope.convert(start)
     return scope.function("start_roots", [("root", scope.column(roots))])
+
+
+def _instants(system: CausalSystem, parameters: tuple[Expr, ...]) -> Function:
+    scope = Scope([("p", parameters), ("d", system.discrete.frozen)])
+    instants = [crossing.instant for crossing in system.zero_crossings if crossing.instant is not None]
+    return scope.function("instants", [("t", scope.column(instants))])
 
 
 def _nominal_function(

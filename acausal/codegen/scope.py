@@ -11,12 +11,11 @@ from collections.abc import Iterable, Sequence
 import casadi as ca
 from casadi import SX, Function
 
-from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
+from acausal.codegen.casadi_expressions import FORWARD, SWITCHING, Converter, jacobian
 from acausal.codegen.linear import solve_small, solve_switching, term_sizes
 from acausal.codegen.segments import expressions, is_implicit, reads
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr
-from acausal.symbolic.expressions.operators import RELATIONS
 
 
 def column(parts: Sequence[SX]) -> SX:
@@ -40,7 +39,7 @@ class Scope:
         modes: dict[Expr, SX] = {}
         for (_, group), symbol in zip(groups, self.inputs, strict=True):
             for leaf, scalar in zip(group, split(symbol), strict=True):
-                (modes if leaf.op in RELATIONS else leaves)[leaf] = scalar
+                (modes if leaf.op in SWITCHING else leaves)[leaf] = scalar
                 self._slots[leaf] = len(self._slots)
         self.convert = Converter(leaves, modes)
 

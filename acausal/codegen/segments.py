@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from acausal.codegen.casadi_expressions import WRAPPERS
+from acausal.codegen.casadi_expressions import SWITCHING, WRAPPERS
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr, postorder
-from acausal.symbolic.expressions.operators import RELATIONS
 
 INLINE_LINEAR = 3
 """Linear blocks with up to this many tearing variables are solved inside the expression graph."""
@@ -93,7 +92,7 @@ def reads(
         if node in seen[computed]:
             continue
         seen[computed].add(node)
-        if node in slots and not (computed and node.op in RELATIONS):
+        if node in slots and not (computed and node.op in SWITCHING):
             if node not in mine:
                 found.add(node)
             continue

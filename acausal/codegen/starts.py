@@ -1,7 +1,7 @@
 """Start values as inputs of the initial problem, so that a run can change them without compiling again.
 
 Every condition `x = start` of the initial problem, wherever it ended up (solved by itself, a residual of a
-torn block, or a redundant check), reads its start value from the input `pre(x)`. A start value that depends
+torn block, or a redundant check), reads its start value from the input `start(x)`. A start value that depends
 on a parameter which the initial problem itself determines (`fixed = false`) stays an expression.
 """
 
@@ -13,12 +13,12 @@ from acausal.codegen.segments import expressions
 from acausal.errors import UnsupportedProblem, fail
 from acausal.lang.flat import Origin
 from acausal.symbolic.causal import Assignment, Block, CausalEquation, CausalSystem, InitialValue, Residual
-from acausal.symbolic.expressions.expr import Expr, make, sub, sym, symbols
+from acausal.symbolic.expressions.expr import Expr, sub, sym, symbols
 
 
 def start_leaf(name: str) -> Expr:
     """The input of the initial problem that holds the start value of `name`."""
-    return make("pre", (sym(name),))
+    return sym(f"start({name})")
 
 
 @dataclass(frozen=True)

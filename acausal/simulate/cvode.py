@@ -47,8 +47,8 @@ class _Roots:
     """The zero-crossing callback; scikit-sundae keeps every event in lists on this object."""
 
     def __init__(self, evaluator: Evaluator) -> None:
-        self.terminal = [True] * len(evaluator.m)
-        self.direction = [0] * len(evaluator.m)
+        self.terminal = [True] * len(evaluator.located)
+        self.direction = [0] * len(evaluator.located)
         self._evaluator = evaluator
         self._i: list[object] = []
         self._t: list[object] = []
@@ -58,7 +58,7 @@ class _Roots:
         evaluator = self._evaluator
         evaluator.at(t, y[: evaluator.x.size])
         evaluator.event()
-        events[:] = evaluator.roots
+        events[:] = evaluator.roots[evaluator.located]
 
     def forget(self) -> None:
         """Empties those lists, which scikit-sundae would otherwise copy after every step."""
@@ -84,7 +84,7 @@ class Cvode:
         rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
         self._rows, self._columns = rows, columns
         self._sparse = self._size > SPARSE_FROM and len(rows) > 0
-        self._roots = _Roots(evaluator) if evaluator.m.size else None
+        self._roots = _Roots(evaluator) if evaluator.located.size else None
         self._cvode = self._create()
 
     def _create(self) -> CVODE:
@@ -106,7 +106,7 @@ class Cvode:
                 max_step=max(limits.max_step, limits.min_step) if limits.max_step else np.inf,
                 max_num_steps=min(limits.max_steps, BATCH),
                 eventsfn=self._roots,
-                num_events=self._evaluator.m.size,
+                num_events=self._evaluator.located.size,
             )
 
     @property
@@ -190,7 +190,8 @@ class Cvode:
             self._time = time
             self._slow = 0
             if found.status == 2 and found.i_events is not None and self._roots is not None:
-                crossed = np.asarray(found.i_events[-1], dtype=np.int_)
+                crossed = np.zeros(self._evaluator.m.size, dtype=np.int_)
+                crossed[self._evaluator.located] = found.i_events[-1]
                 self._roots.forget()
                 return Arrival(time, found.y[:size], crossed)
             return Arrival(time, found.y[:size])

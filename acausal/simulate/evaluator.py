@@ -63,7 +63,7 @@ class Buffered:
 
 
 class Evaluator:
-    """Numbers of one run: parameters, inputs, modes and guesses, which the Functions read in place."""
+    """Numbers of one run, which the Functions read in place: parameters, inputs, modes, frozen values."""
 
     def __init__(self, code: Code, parameters: Vector, inputs: Inputs | None = None) -> None:
         self.code = code
@@ -72,14 +72,16 @@ class Evaluator:
         self.x = np.zeros(len(code.system.states))
         self.p = parameters.copy()
         self.m = np.zeros(len(code.system.zero_crossings))
-        self.u = self.inputs.constants.copy()
+        self.d = np.zeros(len(code.system.discrete.frozen))
+        self.u = np.concatenate([self.inputs.constants, np.zeros(len(code.system.delays))])
+        self.located = np.array(code.located, dtype=np.intp)
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
-        self._solved: tuple[float, bytes, bytes] | None = None
+        self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
         self.x_nominal = _positive(nominal[0].ravel())
         self.z_nominal = _positive(nominal[1].ravel())
-        known = [self.t, self.x, self.p, self.m, self.u]
+        known = [self.t, self.x, self.p, self.m, self.u, self.d]
         self.ode = Buffered(code.ode, [*known, self.guess])
         self.xdot, self.z = self.ode.outputs
         self.jac = Buffered(code.jac, [*known, self.guess])
@@ -91,6 +93,8 @@ class Evaluator:
         self.roots = self.event.outputs[0]
         self.sizes = self.size.outputs[0]
         self.jacobian = self.jac.outputs[0]
+        self.instant = Buffered(code.instants, [self.p, self.d])
+        self.instants = self.instant.outputs[0]
 
     def at(self, time: float, x: Vector) -> None:
         """Sets the point at which the Functions evaluate."""
@@ -106,8 +110,8 @@ class Evaluator:
         elif self._solved != self._point():
             self.evaluate()
 
-    def _point(self) -> tuple[float, bytes, bytes]:
-        return float(self.t[0]), self.x.tobytes(), self.m.tobytes()
+    def _point(self) -> tuple[float, bytes, bytes, bytes]:
+        return float(self.t[0]), self.x.tobytes(), self.m.tobytes(), self.d.tobytes()
 
     def evaluate(self) -> bool:
         """Derivatives into `xdot`, solutions of blocks into `z`; False where a derivative is not finite.
@@ -139,7 +143,7 @@ class Evaluator:
     def explain(self) -> Vector:
         """Walks the program at the present point: its values, or the error that names the culprit."""
         self.inputs.explain(float(self.t[0]), self.u)
-        inputs = np.concatenate([self.t, self.x, self.p, self.m, self.u])
+        inputs = np.concatenate([self.t, self.x, self.p, self.m, self.u, self.d])
         how = Walk(SimulationProblem, float(self.t[0]), self.nominal_of(), self.guess_of())
         return walk(self.code.dynamic, inputs, how).values
 

@@ -89,7 +89,8 @@ class _Problem:
         self._code = code
         self._time = time
         self._p = p
-        self._u = inputs.constants.copy()
+        self._u = np.concatenate([inputs.constants, np.zeros(len(code.system.delays))])
+        self._d = np.zeros(len(code.system.discrete.frozen))
         inputs.fill(time, self._u)
         inputs.explain(time, self._u)
         self.starts = starts
@@ -105,7 +106,7 @@ class _Problem:
 
     def solve(self, modes: Vector) -> Walked:
         """All values in these modes."""
-        inputs = [np.array([self._time]), self._p, modes, self._u, self.starts]
+        inputs = [np.array([self._time]), self._p, modes, self._u, self._d, self.starts]
         return walk(self._code.initial, np.concatenate(inputs), self._how)
 
     def wanted(self, modes: Vector, values: Vector) -> Vector:
@@ -114,7 +115,7 @@ class _Problem:
         x = values[[slots[leaf] for leaf in state_leaves(code.system)]]
         z = np.array([values[slots[leaf]] if leaf in slots else 0.0 for leaf in code.dynamic.guesses])
         p = values[[slots[sym(name)] for name in code.system.parameters]]
-        point = [np.array([self._time]), x, p, modes, self._u, z]
+        point = [np.array([self._time]), x, p, modes, self._u, self._d, z]
         roots, sizes = (call(f, *point)[0].ravel() for f in (code.events, code.sizes))
         rounded = (np.abs(roots) <= _ROUNDING * sizes) & (roots != 0)
         return np.where(rounded, modes, literal_modes(operators(code.system), roots))

@@ -75,6 +75,7 @@ class Reselection:
         own = self.own(evaluator)
         renewed.m[:] = 1.0
         renewed.m[:own] = evaluator.m[:own]
+        renewed.d[:] = evaluator.d
         renewed.guess[:] = [values.get(to_text(leaf), 0.0) for leaf in code.dynamic.guesses]
         return renewed, np.array([values[name] for name in code.system.states])
 

@@ -6,7 +6,9 @@ dynamic system at (time, states, parameters, modes) means running `blocks` in or
 of its unknowns, and at the end every unknown and every `der(state)` is known.
 
 A *mode* is the Boolean value of one zero crossing's relation. It is an input to the equations: constant
-between events, updated at events, so that the equations stay smooth while the solver steps.
+between events, updated at events, so that the equations stay smooth while the solver steps. So are the
+*frozen* values of the discrete part: discrete variables, their values before the event (`pre(v)`), and the
+whole numbers that `floor` and its like hold between events.
 """
 
 from __future__ import annotations
@@ -101,6 +103,60 @@ class ZeroCrossing:
     equation: CausalEquation | None
     """The first equation that holds it (None: an assertion)."""
     span: Span
+    instant: Expr | None = None
+    """The time at which it changes, from parameters and frozen values; None if it must be located."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reset:
+    """`reinit`: where `condition` holds at an event, the state takes the new value."""
+
+    condition: Expr
+    state: str
+    value: Expr
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """An assertion inside a when-clause: it must hold at the events at which `condition` does."""
+
+    condition: Expr
+    assertion: Assertion
+
+
+@dataclass(frozen=True)
+class DiscretePart:
+    """What changes at events only, apart from modes.
+
+    `assignments` give, in order, every discrete variable and every `floor(...)` that generates events, from
+    the modes, the continuous unknowns, the values before the event and each other; where some form a loop,
+    they use what was found last. An event is settled by evaluating the continuous blocks, the modes and
+    these, until nothing changes; then `memory` takes new values, and all is evaluated once more until that
+    does not change either (Modelica 3.6, appendix B).
+    """
+
+    assignments: tuple[Assignment, ...] = ()
+    memory: tuple[Expr, ...] = ()
+    """`pre(e)` for every `e` whose value before the event is used: variables and when-conditions."""
+    samples: tuple[Expr, ...] = ()
+    """`sample(start, interval)`: 1 at its instants, else 0."""
+    phases: tuple[Expr, ...] = ()
+    """Those of `initial()` and `terminal()` that occur."""
+    resets: tuple[Reset, ...] = ()
+    checks: tuple[Check, ...] = ()
+    initial: tuple[Assignment, ...] = ()
+    """The same at the start, where `pre(v)` of every discrete variable in use is unknown too."""
+
+    @property
+    def unknowns(self) -> tuple[Expr, ...]:
+        """What `assignments` determine."""
+        return tuple(assignment.unknown for assignment in self.assignments)
+
+    @property
+    def frozen(self) -> tuple[Expr, ...]:
+        """Everything that is constant between events, apart from modes, in the order of the vector `d`."""
+        return self.unknowns + self.memory + self.samples + self.phases
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +241,9 @@ class CausalSystem:
     choices: tuple[StateChoice, ...] = ()
     dynamic: DynamicStates | None = None
     """None where one choice of states is valid everywhere."""
+    discrete: DiscretePart = DiscretePart()
+    delays: tuple[Expr, ...] = ()
+    """Every `delay(...)` in use: known at any time from the past of the run."""
 
     @property
     def events(self) -> tuple[ZeroCrossing, ...]:

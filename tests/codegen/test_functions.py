@@ -23,11 +23,11 @@ Array = NDArray[np.float64]
 def call(
     function: Function, x: list[float], p: list[float] | None = None, guess: list[float] | None = None
 ) -> Array:
-    return np.array(function(0.0, x, p or [], [], [], guess or [])).ravel()
+    return np.array(function(0.0, x, p or [], [], [], [], guess or [])).ravel()
 
 
 def rates(code: Code, x: list[float], guess: list[float] | None = None) -> Array:
-    return np.array(code.ode(0.0, x, [], [], [], guess or [])[0]).ravel()
+    return np.array(code.ode(0.0, x, [], [], [], [], guess or [])[0]).ravel()
 
 
 def differences(code: Code, x: list[float], guess: list[float] | None = None) -> Array:
@@ -44,7 +44,7 @@ def differences(code: Code, x: list[float], guess: list[float] | None = None) ->
 
 
 def exact(code: Code, x: list[float], guess: list[float] | None = None) -> Array:
-    return np.array(code.jac(0.0, x, [], [], [], guess or []).full())
+    return np.array(code.jac(0.0, x, [], [], [], [], guess or []).full())
 
 
 def linear_block(matrix: Array) -> tuple[list[str], Block]:
@@ -129,7 +129,7 @@ def test_segments_between_implicit_blocks() -> None:
     expected = (2 * z + 4.0) ** (1 / 3) + (z + 4.0) * 4.0
     assert rates(code, [2.0], [1.0, 1.0])[0] == pytest.approx(expected, rel=1e-10)
     assert exact(code, [2.0], [1.0, 1.0]) == pytest.approx(differences(code, [2.0], [1.0, 1.0]), rel=1e-6)
-    solved = np.array(code.ode(0.0, [2.0], [], [], [], [1.0, 1.0])[1]).ravel()
+    solved = np.array(code.ode(0.0, [2.0], [], [], [], [], [1.0, 1.0])[1]).ravel()
     outputs = call(code.outputs, [2.0], guess=solved.tolist())
     assert dict(zip(code.output_leaves, outputs, strict=True))[v] == pytest.approx(z + 4.0)
 
@@ -179,7 +179,7 @@ def test_code_generation_is_linear() -> None:
 def test_blocks_are_solved_once_for_all_functions() -> None:
     """Outputs and events come from the solved `z` alone: at another `z` they follow it."""
     code = nonlinear()
-    solved = np.array(code.ode(0.0, [2.0, 1.5], [], [], [], [1.0])[1]).ravel()
+    solved = np.array(code.ode(0.0, [2.0, 1.5], [], [], [], [], [1.0])[1]).ravel()
     outputs = dict(
         zip(code.output_leaves, call(code.outputs, [2.0, 1.5], guess=solved.tolist()), strict=True)
     )

@@ -40,7 +40,7 @@ def switching(matrix: Array, right: Array, nominal: dict[str, float] | None = No
 
 def fast(code: Code) -> Array:
     """`z` as the integrator's Function solves it."""
-    return np.array(code.ode(0.0, [1.0], [], [1.0], [], np.zeros(len(code.dynamic.guesses)))[1]).ravel()
+    return np.array(code.ode(0.0, [1.0], [], [1.0], [], [], np.zeros(len(code.dynamic.guesses)))[1]).ravel()
 
 
 @pytest.mark.parametrize("size", [2, 3, 5, 8])
@@ -103,8 +103,8 @@ def test_jacobian_in_a_singular_mode_is_that_of_the_minimum_norm_solution() -> N
     blocks = [torn(BlockKind.LINEAR, names, rows), rate("x", e.sub(sym("z3"), sym("z0")))]
     code = generate(hand_system({"x": 1.0}, blocks, relations=[relation]))
     guess = [0.0] * 4
-    assert float(code.ode(0.0, [3.0], [], [1.0], [], guess)[0]) == pytest.approx(1.5)
-    assert float(code.jac(0.0, [3.0], [], [1.0], [], guess)) == pytest.approx(0.5, rel=1e-6)
+    assert float(code.ode(0.0, [3.0], [], [1.0], [], [], guess)[0]) == pytest.approx(1.5)
+    assert float(code.jac(0.0, [3.0], [], [1.0], [], [], guess)) == pytest.approx(0.5, rel=1e-6)
 
 
 VALVES = """
