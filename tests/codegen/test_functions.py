@@ -192,5 +192,5 @@ def test_blocks_are_solved_once_for_all_functions() -> None:
 
 def test_describe_lists_every_function_with_its_sizes() -> None:
     text = nonlinear().describe()
-    assert "ode(t[1], x[2], p[0], m[0], u[0], z[1]) -> (xdot[2], z_out[1])" in text
+    assert "ode(t[1], x[2], p[0], m[0], u[0], d[0], z[1]) -> (xdot[2], z_out[1])" in text
     assert len(text.splitlines()) == 6
