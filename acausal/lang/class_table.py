@@ -23,6 +23,7 @@ from acausal.lang.modifiers import (
     not_replaceable,
     redeclaration_of,
 )
+from acausal.lang.restrictions import check_base, check_class, check_combination
 
 if TYPE_CHECKING:  # a scope has a table of elements, an element knows its scope
     from acausal.lang.scope import Scope
@@ -107,6 +108,8 @@ class Table:
 def build_table(scope: Scope) -> Table:
     """The table of a class. Raises `LookupProblem`, `TypeProblem`."""
     definition = scope.definition
+    if scope.root.is_first(scope.node):
+        check_class(scope)
     table = Table({scope.node})
     if isinstance(definition, ast.ShortClass):
         where = scope.enclosing or scope
@@ -117,6 +120,7 @@ def build_table(scope: Scope) -> Table:
         if definition.extends:
             raise class_extends(definition)
         _fill(scope, table, definition)
+        check_combination(scope, table)
     return table
 
 
@@ -171,6 +175,7 @@ def _inherit(scope: Scope, table: Table, written: Base, protected: bool) -> None
     """Merge the base's table into the derived one, with the extends modification on what it names."""
     static = written.modifier
     outside = merge(scope.modifier, merge(own_redeclarations(scope), static))
+    check_base(scope, written.scope, written.span)
     base = written.scope.modified(outside)
     table.bases.append(Base(base, static, written.dimensions, written.where, written.span))
     if base.is_predefined:

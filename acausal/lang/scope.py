@@ -40,6 +40,7 @@ class Root:
 
     library: Library
     scopes: dict[str, Scope] = field(default_factory=dict[str, "Scope"])
+    _seen: set[ClassNode] = field(default_factory=set[ClassNode])
 
     def __post_init__(self) -> None:
         for name in PREDEFINED:
@@ -53,6 +54,12 @@ class Root:
                 return None
             self.scopes[name] = Scope(node, None, self)
         return self.scopes[name]
+
+    def is_first(self, node: ClassNode) -> bool:
+        """Whether this class is asked about for the first time: its text is checked once."""
+        first = node not in self._seen
+        self._seen.add(node)
+        return first
 
     def find(self, dotted: str) -> Scope:
         """The scope of a class given by its full name."""
