@@ -149,6 +149,15 @@ def enumeration_of(scope: Scope) -> ScalarType:
                 names=[entry.name],
                 hint="remove one of them",
             )
+        if entry.name in _ENUMERATION_ATTRIBUTES:
+            raise fail(
+                TypeProblem,
+                "class.literal",
+                f"`{entry.name}` is an attribute of every enumeration, so it is no literal of `{scope.path}`",
+                entry.span,
+                names=[entry.name],
+                hint="use another name (Modelica 3.6, 4.9.5.1)",
+            )
     return ScalarType(scope.path, names)
 
 
