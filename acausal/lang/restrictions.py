@@ -263,7 +263,7 @@ def check_combination(scope: Scope, table: Table) -> None:
             f"`{scope.path}` extends `{base.scope.path}`, which cannot be combined with anything else",
             span,
             names=[scope.path, base.scope.path],
-            hint="a simple type, an array class and a class with `input` or `output` are extended alone (4.5.2)",
+            hint="simple types, array classes and those with `input` or `output` are extended alone (4.5.2)",
         )
 
 
