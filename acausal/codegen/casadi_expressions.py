@@ -16,8 +16,9 @@ from collections.abc import Callable, Iterable, Mapping
 import casadi as ca
 from casadi import SX
 
+from acausal.codegen.kernels import kernel_sx
 from acausal.errors import UnsupportedProblem, fail
-from acausal.symbolic.expressions.expr import EnumValue, Expr
+from acausal.symbolic.expressions.expr import EnumValue, Expr, parts
 from acausal.symbolic.expressions.operators import RELATIONS
 
 FORWARD = {"ad_weight": 0.0}
@@ -173,13 +174,14 @@ class Converter:
                 stack.pop()
                 continue
             args: list[SX] = []
-            for arg in node.args:
+            pending = parts(node)
+            for arg in pending:
                 value = known(arg, below)
                 if value is not None:
                     args.append(value)
                 else:
                     stack.append((arg, below, below or arg.op in WRAPPERS))
-            if len(args) == len(node.args):
+            if len(args) == len(pending):
                 stack.pop()
                 self._memos[literal][node] = _build(node, args)
         result = known(root, root_literal)
@@ -202,8 +204,10 @@ def _build(node: Expr, args: list[SX]) -> SX:
         return constructor(args)
     if op == "const":
         return _constant(node)
-    if op in WRAPPERS:
+    if op in WRAPPERS or op == "derived":
         return args[0]
+    if op == "call":
+        return kernel_sx(node.kernel, args)
     raise _refuse(node)
 
 
@@ -219,9 +223,8 @@ def _constant(node: Expr) -> SX:
 def _refuse(node: Expr) -> Exception:
     what = {
         "sym": f"`{node.value}` has no value here",
-        "call": f"the call of function `{node.value}` could not be inlined",
         "const": f"the string {node.value!r} has no numeric value",
     }
     message = what.get(node.op, f"`{node.op}` cannot be turned into code")
-    names = (node.name,) if node.op in ("sym", "call") else ()
+    names = (node.name,) if node.op == "sym" else ()
     return fail(UnsupportedProblem, "codegen.no-code", message, names=names)

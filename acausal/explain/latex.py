@@ -36,7 +36,7 @@ _FUNCTIONS = {name: rf"\{name}" for name in "sin cos tan sinh cosh tanh exp min 
     "log10": r"\log_{10}",
 }
 _SIGNS = {"lt": "<", "le": r"\le", "gt": ">", "ge": r"\ge", "eq": "=", "ne": r"\ne"}
-_WRAPPED = frozenset({"noEvent", "smooth"})
+_WRAPPED = frozenset({"noEvent", "smooth", "derived"})
 _ARITHMETIC = frozenset({"add", "neg", "mul", "div", "pow", "sqrt"})
 
 
@@ -126,7 +126,7 @@ class _Printer:
             )
         if op == "abs":
             return rf"\left|{args[0]}\right|"
-        head = _roman(node.name) if op == "call" else _FUNCTIONS.get(op, rf"\operatorname{{{op}}}")
+        head = _roman(node.kernel.name) if op == "call" else _FUNCTIONS.get(op, rf"\operatorname{{{op}}}")
         return rf"{head}\left({', '.join(args)}\right)"
 
 

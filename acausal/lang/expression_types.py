@@ -13,6 +13,7 @@ from functools import lru_cache
 
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType, Variability
 from acausal.symbolic.expressions.expr import EnumValue, Expr
+from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.operators import OPERATORS, RELATIONS
 from acausal.symbolic.expressions.text import to_text
 
@@ -266,11 +267,26 @@ def _smooth(node: Expr, args: list[Kind]) -> Kind:
     return args[0]
 
 
-def _call(node: Expr, _args: list[Kind]) -> Kind:
-    message = f"a call of the function {node.name} is left, but the functions of a flat model are inlined"
-    raise TypeMistake("flat.function-call", message, node)
+def _call(node: Expr, args: list[Kind]) -> Kind:
+    """A kernel raises no events, so its value varies as its arguments do."""
+    kernel = node.kernel
+    if isinstance(kernel, Named):
+        message = (
+            f"a call of the function {kernel.name} is left, but the functions of a flat model are inlined"
+        )
+        raise TypeMistake("flat.function-call", message, node)
+    if len(args) != kernel.arity:
+        message = f"{kernel.name} takes {kernel.arity} arguments, not {len(args)}"
+        raise TypeMistake("type.arguments", message, node)
+    type_ = _RESULTS[kernel.result]
+    return _join(type_, args) if args else kind(type_, Variability.CONSTANT)
 
 
+def _derived(_node: Expr, args: list[Kind]) -> Kind:
+    return args[0]
+
+
+_RESULTS = {type_.name: type_ for type_ in (REAL, INTEGER, BOOLEAN, STRING)}
 EQUALITIES = frozenset({"eq", "ne"})
 _ARITHMETIC = frozenset({"add", "neg", "mul", "div", "pow"})
 _RULES: dict[str, _Rule] = {
@@ -284,6 +300,8 @@ _RULES: dict[str, _Rule] = {
     "trigger": _trigger,
     "delay": _delay,
     "homotopy": _homotopy,
+    "derived": _derived,
+    "rate": _der,
     "if": _if,
     "add": _sum,
     "sign": _sign,

@@ -11,6 +11,7 @@ from dataclasses import replace
 from acausal.lang.flat import BOOLEAN, Equation, FlatModel, Origin, Variability, Variable, When, WhenBranch
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.kernel import Named
 
 
 def without_triggers(flat: FlatModel) -> FlatModel:
@@ -85,7 +86,7 @@ class _Triggers:
             return root
         for node in list(ex.postorder([root])):
             if node.op == "trigger" and node not in self._edges:
-                self._edges[node] = ex.call("edge", self._boolean(node.args[0]))
+                self._edges[node] = ex.call(Named("edge", 1), self._boolean(node.args[0]))
         return ex.substitute(root, self._edges)
 
     def _boolean(self, condition: Expr) -> Expr:

@@ -212,7 +212,7 @@ def _unknown(_node: Expr, _args: list[Measure]) -> Measure:
 
 _ARGUMENT_IS_NUMBER = frozenset("sin cos tan asin acos atan sinh cosh tanh exp log log10".split())
 _OTHER: dict[str, Callable[[Expr, list[Measure]], Measure]] = {
-    **dict.fromkeys(("neg", "abs", "pre", "noEvent", "smooth", "delay"), _same),
+    **dict.fromkeys(("neg", "abs", "pre", "noEvent", "smooth", "delay", "derived"), _same),
     **dict.fromkeys(("floor", "ceil", "mod", "rem"), _doubtful),
     **dict.fromkeys(("sign", "integer", "idiv"), _number),
     "der": _derivative,

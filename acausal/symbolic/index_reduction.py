@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from acausal.errors import ReductionProblem, fail
 from acausal.lang.flat import StateSelect, Variability
@@ -13,7 +13,7 @@ from acausal.symbolic.balance import require_complete, structure
 from acausal.symbolic.causal import CausalEquation
 from acausal.symbolic.describe import base_name, equation_with_place, listed
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
-from acausal.symbolic.expressions.expr import ZERO, Expr, der, sym
+from acausal.symbolic.expressions.expr import ZERO, Expr, der, sym, without_derivatives
 from acausal.symbolic.graphs.dulmage_mendelsohn import StructurallySingular
 from acausal.symbolic.graphs.pantelides import Reduction, TooManyDifferentiations, pantelides
 from acausal.symbolic.graphs.types import Eq, Var
@@ -72,7 +72,29 @@ def _reduce(model: Simplified, wanted: Iterable[str]) -> Reduced:
     incidence = [[index[leaf] for leaf in row] for row in rows]
     reduction = _pantelides(model, incidence, derivative_of)
     _name_new(leaves, reduction, chains)
-    return Reduced(model, chains, tuple(leaves), _differentiated(model, chains, reduction), reduction)
+    equations = _differentiated(model, chains, reduction)
+    return _differentiated_for_good(Reduced(model, chains, tuple(leaves), equations, reduction))
+
+
+def _differentiated_for_good(reduced: Reduced) -> Reduced:
+    """Without the derivatives that authors gave (`derived`): what had to be differentiated is."""
+    model = reduced.model
+    everything = (*reduced.equations, *model.equations, *model.initial_equations)
+    roots = [side for e in everything for side in (e.left, e.right)]
+    plain = without_derivatives([*roots, *(a.condition for a in model.assertions)])
+    if all(before is after for before, after in plain.items()):
+        return reduced
+
+    def rewritten(equations: Iterable[CausalEquation]) -> tuple[CausalEquation, ...]:
+        return tuple(replace(e, left=plain[e.left], right=plain[e.right]) for e in equations)
+
+    model = replace(
+        model,
+        equations=rewritten(model.equations),
+        initial_equations=rewritten(model.initial_equations),
+        assertions=tuple(replace(a, condition=plain[a.condition]) for a in model.assertions),
+    )
+    return replace(reduced, model=model, equations=rewritten(reduced.equations))
 
 
 def _unknown(leaves: Iterable[Expr], chains: Chains) -> list[Expr]:

@@ -9,7 +9,7 @@ from acausal.lang.flat import Causality, FlatModel, Variability, Variable
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.evaluate import Lookup
-from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, rebuild, sym
+from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, parts, rebuild, sym
 from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS, RELATIONS
 
 
@@ -40,7 +40,7 @@ def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
         elif op == "if":
             stack.extend((node.args[2], node.args[1]))
         elif op not in _CLOSED:
-            stack.extend(reversed(node.args))
+            stack.extend(reversed(parts(node)))
     return tuple(found)
 
 
@@ -58,7 +58,7 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
         if node.op in ("sym", "der", "pre"):
             found[node] = None
         else:
-            stack.extend(reversed(node.args))
+            stack.extend(reversed(parts(node)))
     return tuple(found)
 
 

@@ -27,6 +27,7 @@ from acausal.symbolic.expressions.expr import (
     smooth,
     sym,
 )
+from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.operators import OPERATORS
 
 X, Y = sym("x"), sym("y")
@@ -108,7 +109,7 @@ def test_a_long_expression_has_none() -> None:
     assert equation_latex(X, terms) is None
     shared = X
     for _ in range(200):
-        shared = call("f", shared, shared)
+        shared = call(Named("f", 2), shared, shared)
     assert expression_latex(smooth(1, shared)) is None
     fraction = X
     for depth in range(300):

@@ -19,6 +19,7 @@ from acausal.lang.flat import (
 )
 from acausal.symbolic.expressions import expr
 from acausal.symbolic.expressions.expr import Expr, make
+from acausal.symbolic.expressions.kernel import Named
 
 _BINARY: dict[type[ast.operator], Callable[[Expr, Expr], Expr]] = {
     ast.Add: expr.add,
@@ -115,6 +116,6 @@ def _expression(node: ast.expr) -> Expr:
             return expr.smooth(order, _expression(inner))
         case ast.Call(func=ast.Name(id=name), args=arguments):
             args = tuple(map(_expression, arguments))
-            return make(name, args) if name in expr.OPERATORS else expr.call(name, *args)
+            return make(name, args) if name in expr.OPERATORS else expr.call(Named(name, len(args)), *args)
         case _:
             raise ValueError(ast.unparse(node))

@@ -281,7 +281,7 @@ def test_every_operator_has_a_rule(op: str) -> None:
     """Whatever the arguments, an operator is typed or refused, never forgotten."""
     arity = OPERATORS[op].arity or 2
     args = tuple(map(expression, ("b", "x", "y")[:arity]))
-    node = make(op, args, 1 if op == "smooth" else "f" if op == "call" else None)
+    node = call(Named("f", 2), *args) if op == "call" else make(op, args, 1 if op == "smooth" else None)
     flat = model(VARIABLES)
     wrong = dataclasses.replace(equation("x = y"), right=node)
     codes = codes_of(dataclasses.replace(flat, equations=(wrong,)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import isnan
 
-from acausal.symbolic.expressions.node import FALSE, ONE, TRUE, ZERO, EnumValue, Expr, const, make
+from acausal.symbolic.expressions.node import FALSE, ONE, TRUE, ZERO, EnumValue, Expr, call, const, make
 from acausal.symbolic.expressions.operators import LARGEST_INTEGER, OPERATORS, RELATIONS
 
 MOST_MERGED = 256
@@ -234,9 +234,17 @@ def function(name: str, *args: Expr) -> Expr:
     return _fold(name, args)
 
 
-def call(name: str, *args: Expr) -> Expr:
-    """A call of a user function that is not inlined."""
-    return make("call", args, name)
+def derived(a: Expr, derivative: Expr) -> Expr:
+    """`a`, whose time derivative is `derivative` because its author says so (Modelica 3.6, 12.7.1).
+
+    In `derivative`, `rate(u)` stands for the time derivative of `u`, which is found when it is needed.
+    """
+    return make("derived", (a, derivative))
+
+
+def rate(a: Expr) -> Expr:
+    """The time derivative of `a` inside the second argument of `derived`."""
+    return make("rate", (a,))
 
 
 def _fold(op: str, args: tuple[Expr, ...]) -> Expr:
@@ -256,6 +264,8 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     special = _REBUILD.get(op)
     if special is not None:
         return special(*args)
+    if op == "call":
+        return call(node.kernel, *args)
     if op == "smooth":
         return smooth(node.value, args[0])  # type: ignore[arg-type]  # the order of a smooth node is an int
     if op in RELATIONS or OPERATORS[op].shape == "function":
@@ -277,4 +287,5 @@ _REBUILD: dict[str, Callable[..., Expr]] = {
     "trigger": trigger,
     "delay": delay,
     "homotopy": homotopy,
+    "derived": derived,
 }

@@ -19,6 +19,7 @@ from acausal.symbolic.expressions.expr import (
     ZERO,
     Expr,
     add,
+    call,
     const,
     div,
     fold,
@@ -28,10 +29,12 @@ from acausal.symbolic.expressions.expr import (
     mul,
     neg,
     no_event,
+    parts,
     power,
     relation,
     smooth,
     sub,
+    substitute,
     unknown_leaves,
 )
 
@@ -144,6 +147,19 @@ def _homotopy(node: Expr, d: list[Expr]) -> Expr:
     return homotopy(d[0], d[1])
 
 
+def _call(node: Expr, d: list[Expr]) -> Expr:
+    terms: list[Expr] = []
+    for i, slope in enumerate(d):
+        partial_kernel = None if slope is ZERO else node.kernel.partial(i)
+        if partial_kernel is not None:
+            terms.append(mul(call(partial_kernel, *node.args), slope))
+    return add(*terms) if terms else ZERO
+
+
+def _first(node: Expr, d: list[Expr]) -> Expr:
+    return d[0]
+
+
 def _square(a: Expr) -> Expr:
     return power(a, const(2))
 
@@ -158,7 +174,9 @@ RULES: dict[str, Rule] = {
     "homotopy": _homotopy,
     "noEvent": _no_event,
     "smooth": _smooth,
-    "call": _zero,  # refused before the rule is asked
+    "call": _call,
+    "derived": _first,
+    "rate": _zero,  # stands inside `derived` only
     "if": _if,
     **dict.fromkeys(("or", "and", "not", "lt", "le", "gt", "ge", "eq", "ne"), _zero),
     "add": _add,
@@ -213,8 +231,6 @@ def _directional(root: Expr, leaf: Expr) -> Expr:
     def visit(node: Expr, d: list[Expr]) -> Expr:
         if node.op in _LEAVES:
             return ONE if node is leaf else ZERO
-        if node.op == "call" and any(slope is not ZERO for slope in d):
-            raise NotDifferentiable(node, f"the function {node.name} has no known derivative")
         return RULES[node.op](node, d)
 
     return fold([root], visit)[root]
@@ -255,21 +271,34 @@ class TimeDerivative:
     ) -> Expr | NotDifferentiable:
         if node.op in _LEAVES:
             return self._leaf(node)
+        if node.op == "derived":
+            return self._given(node.args[1])
         slopes: list[Expr] = []
         for slope in args:
             if isinstance(slope, NotDifferentiable):
                 return slope
             slopes.append(slope)
         moves = any(slope is not ZERO for slope in slopes)
-        if node.op == "call" and moves:
-            return NotDifferentiable(node, f"the function {node.name} has no known derivative")
         if node.op == "delay" and moves:
             return NotDifferentiable(node, "the derivative of a delayed value is not known")
+        if node.op == "call" and moves and node.kernel.continuity < 0:
+            return NotDifferentiable(node, f"{node.kernel.name} jumps")
         if not vouched and node.op in JUMPS and moves:
             return NotDifferentiable(node, f"{node.op} jumps")
         if not vouched and node.op == "if" and not self._allowed(node):
             return NotDifferentiable(node, "its branches do not provably meet where the condition switches")
         return RULES[node.op](node, slopes)
+
+    def _given(self, derivative: Expr) -> Expr | NotDifferentiable:
+        """The derivative that an author gave, with the rates in it found (deeper ones when they are due)."""
+        mapping: dict[Expr, Expr] = {}
+        for node in _rates(derivative):
+            arg = node.args[0]
+            slope = fold([arg], self._visit_strict, self._strict)[arg]
+            if isinstance(slope, NotDifferentiable):
+                return slope
+            mapping[node] = slope
+        return substitute(derivative, mapping) if mapping else derivative
 
     def _leaf(self, node: Expr) -> Expr | NotDifferentiable:
         if node is TIME:
@@ -287,6 +316,23 @@ class TimeDerivative:
 
     def _moves(self, leaf: Expr) -> bool:
         return self._leaf(leaf) is not ZERO
+
+
+def _rates(root: Expr) -> list[Expr]:
+    """The `rate(...)` that make up the value of an expression, outermost ones."""
+    found: dict[Expr, None] = {}
+    seen: set[Expr] = set()
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node.op == "rate":
+            found[node] = None
+        else:
+            stack.extend(reversed(parts(node)))
+    return list(found)
 
 
 def _no_values(name: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr
+from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr, parts
 from acausal.symbolic.expressions.operators import OPERATORS
 
 Lookup = Callable[[str], Constant | None]
@@ -46,7 +46,7 @@ def evaluate(root: Expr, lookup: Lookup, memo: dict[Expr, Constant] | None = Non
 
 def _missing(node: Expr, values: dict[Expr, Constant]) -> list[Expr]:
     if node.op != "if":
-        return [arg for arg in reversed(node.args) if arg not in values]
+        return [arg for arg in reversed(parts(node)) if arg not in values]
     condition, then, otherwise = node.args
     if condition not in values:
         return [condition]
@@ -66,7 +66,9 @@ def _value(node: Expr, values: dict[Expr, Constant], lookup: Lookup) -> Constant
     if node.op == "if":
         condition, then, otherwise = node.args
         return values[then if values[condition] else otherwise]
-    compute = OPERATORS[node.op].evaluate
+    if node.op == "derived":
+        return values[node.args[0]]
+    compute = node.kernel.evaluate if node.op == "call" else OPERATORS[node.op].evaluate
     if compute is None:
         raise NotConstant(node.op)
     return _apply(compute, [values[arg] for arg in node.args])

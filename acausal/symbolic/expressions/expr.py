@@ -10,9 +10,9 @@ from __future__ import annotations
 from acausal.symbolic.expressions.construct import (
     MOST_MERGED,
     add,
-    call,
     delay,
     der,
+    derived,
     div,
     function,
     homotopy,
@@ -27,6 +27,7 @@ from acausal.symbolic.expressions.construct import (
     no_event,
     power,
     pre,
+    rate,
     rebuild,
     relation,
     sample,
@@ -44,6 +45,7 @@ from acausal.symbolic.expressions.node import (
     Constant,
     EnumValue,
     Expr,
+    call,
     const,
     make,
     sym,
@@ -54,10 +56,12 @@ from acausal.symbolic.expressions.operators import (
 )
 from acausal.symbolic.expressions.walk import (
     fold,
+    parts,
     postorder,
     substitute,
     symbols,
     unknown_leaves,
+    without_derivatives,
 )
 
 __all__ = [
@@ -77,6 +81,7 @@ __all__ = [
     "const",
     "delay",
     "der",
+    "derived",
     "div",
     "fold",
     "function",
@@ -91,9 +96,11 @@ __all__ = [
     "neg",
     "neg_term",
     "no_event",
+    "parts",
     "postorder",
     "power",
     "pre",
+    "rate",
     "rebuild",
     "relation",
     "sample",
@@ -105,4 +112,5 @@ __all__ = [
     "terminal",
     "trigger",
     "unknown_leaves",
+    "without_derivatives",
 ]

@@ -48,6 +48,8 @@ def linear_coefficient(root: Expr, leaf: Expr, *, frozen: bool = False) -> Parts
 def _parts(node: Expr, args: list[Parts | None], leaf: Expr, *, frozen: bool) -> Parts | None:
     if node.op in _LEAVES:
         return (ONE, ZERO) if node is leaf else (ZERO, node)
+    if node.op == "derived":
+        args = args[:1]
     if node.op == "if" and frozen:
         args = [(ZERO, node.args[0]), *args[1:]]
     known: list[Parts] = []
@@ -147,6 +149,8 @@ def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
     op = node.op
     if op in _LEAVES:
         return {node: ONE}
+    if op == "derived":
+        return args[0]
     if not any(args):
         return _NOTHING
     if op == "add":

@@ -8,7 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isnan
+from typing import TYPE_CHECKING
 from weakref import ref
+
+if TYPE_CHECKING:  # a kernel works on constants
+    from acausal.symbolic.expressions.kernel import Kernel
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,15 +28,17 @@ Constant = float | int | bool | str | EnumValue
 
 
 class Expr:
-    """A node: `op` from the operator table, `args`, and `value` (constant, symbol or function name, order).
+    """A node: `op` from the operator table, `args`, and `value` (constant, name of a symbol, order, key).
 
-    Never construct one directly; use the functions of this module.
+    `kernel` exists on calls only; `value` is its key there. Never construct a node directly; use the
+    functions of this module.
     """
 
-    __slots__ = ("__weakref__", "args", "op", "value")
+    __slots__ = ("__weakref__", "args", "kernel", "op", "value")
     op: str
     args: tuple[Expr, ...]
     value: Constant | None
+    kernel: Kernel
 
     def __repr__(self) -> str:
         from acausal.symbolic.expressions.text import to_text  # the printer sits above this module
@@ -40,11 +46,13 @@ class Expr:
         return f"Expr({to_text(self)})"
 
     def __reduce__(self) -> tuple[Callable[..., Expr], tuple[object, ...]]:
+        if self.op == "call":
+            return call, (self.kernel, *self.args)
         return make, (self.op, self.args, self.value)
 
     @property
     def name(self) -> str:
-        """The name of a symbol or of a called function."""
+        """The name of a symbol."""
         if not isinstance(self.value, str):
             raise TypeError(f"{self.op} has no name")
         return self.value
@@ -91,6 +99,13 @@ def make(op: str, args: tuple[Expr, ...] = (), value: Constant | None = None) ->
     node.value = value
     entry = _table[key] = _Entry(node, _forget)
     entry.key = key
+    return node
+
+
+def call(kernel: Kernel, *args: Expr) -> Expr:
+    """The call of a kernel; equal kernels with equal arguments give one node."""
+    node = make("call", args, kernel.key)
+    node.kernel = kernel
     return node
 
 

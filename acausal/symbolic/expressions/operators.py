@@ -131,6 +131,8 @@ _TABLE = (
     Operator("trigger", "event", 1, "trigger", 100),
     Operator("delay", "event", None, "delay", 100),
     Operator("call", "call", None, "", 100),
+    Operator("derived", "wrap", 2, "", 100),
+    Operator("rate", "wrap", 1, "der", 100),
     Operator("if", "if", 3, "if", 0, _if),
     Operator("or", "logical", None, "or", 1, _any),
     Operator("and", "logical", None, "and", 2, _all),

@@ -102,7 +102,9 @@ def _other(node: Expr, args: list[_Piece]) -> _Piece:
     if node.op == "smooth":
         return f"smooth({node.value}, {inner})", _ATOM
     if node.op == "call":
-        return f"{node.name}({inner})", _ATOM
+        return f"{node.kernel.name}({inner})", _ATOM
+    if node.op == "derived":
+        return args[0]
     return f"{_FUNCTION_TEXT.get(node.op, operator.text)}({inner})", _ATOM
 
 

@@ -79,6 +79,27 @@ def substitute(root: Expr, mapping: Mapping[Expr, Expr], memo: dict[Expr, Expr] 
     return fold([root], visit, values)[root]
 
 
+def parts(node: Expr) -> tuple[Expr, ...]:
+    """The arguments that make up the value: of `derived` the first one only."""
+    return node.args[:1] if node.op == "derived" else node.args
+
+
+def without_derivatives(roots: Iterable[Expr]) -> dict[Expr, Expr]:
+    """Every root without its `derived`, as it is once nothing is to be differentiated any more."""
+
+    def visit(node: Expr, args: list[Expr]) -> Expr:
+        if node.op == "derived":
+            return args[0]
+        new = tuple(args)
+        return node if new == node.args else rebuild(node, new)
+
+    roots = list(roots)
+    if not any(node.op == "derived" for node in postorder(roots)):
+        return {root: root for root in roots}
+    values = fold(roots, visit)
+    return {root: values[root] for root in roots}
+
+
 def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
     """The distinct symbols and derivatives of symbols, in order of first appearance.
 
@@ -95,7 +116,7 @@ def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
         if node.op == "sym" or node.op in ("der", "pre"):
             found[node] = None
         else:
-            stack.extend(reversed(node.args))
+            stack.extend(reversed(parts(node)))
     return tuple(found)
 
 

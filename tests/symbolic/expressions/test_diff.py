@@ -202,9 +202,3 @@ def test_jumping_functions_of_constants_are_harmless() -> None:
     for name in sorted(JUMPS):
         args = (P,) if OPERATORS[name].arity == 1 else (P, const(2.0))
         assert time_derivative(function(name, *args), derivative_of) is ZERO
-
-
-def test_user_functions_are_refused() -> None:
-    with pytest.raises(NotDifferentiable, match="no known derivative"):
-        time_derivative(make("call", (X,), "f"), derivative_of)
-    assert partial(make("call", (Y,), "f"), X) is ZERO

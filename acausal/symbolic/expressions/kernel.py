@@ -1,0 +1,70 @@
+"""Kernels: functions that a call keeps as a unit instead of being inlined, such as tables.
+
+`expr.call(kernel, *args)` is the call. A kernel is a value: two with the same `key` (a digest of what they
+hold) are the same, so hash-consing merges equal calls. It evaluates numerically here; what it looks like in
+CasADi is `acausal.codegen.kernels`' business.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from hashlib import sha256
+
+from acausal.symbolic.expressions.node import Constant
+
+
+class Kernel(ABC):
+    """A function of scalars with one scalar result. Subclasses are immutable and implement `evaluate`."""
+
+    __slots__ = ()
+    name: str
+    """As printed; not unique."""
+    key: str
+    """Digest of the contents: what makes two kernels the same."""
+    arity: int
+    result: str
+    """The result's type: `Real`, `Integer`, `Boolean`, `String`."""
+    continuity: int
+    """-1: jumps; 0: continuous with kinks; n: n times continuously differentiable."""
+
+    @abstractmethod
+    def evaluate(self, *args: Constant) -> Constant:
+        """The value; raises ArithmeticError or ValueError where there is none."""
+
+    def partial(self, argument: int) -> Kernel | None:
+        """The derivative with respect to an argument (from 0), of the same arguments; None: it is zero."""
+        raise NotImplementedError(self.name)
+
+    @property
+    def is_discrete(self) -> bool:
+        """Whether it makes sense at events only and has no derivatives (random numbers, texts)."""
+        return False
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Kernel) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+@dataclass(frozen=True, eq=False)
+class Named(Kernel):
+    """A function of which only the name is known: it prints, and nothing else."""
+
+    name: str
+    arity: int
+    result: str = "Real"
+    continuity: int = -1
+
+    @property
+    def key(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]  # computed, never assigned
+        return f"{self.name}/{self.arity}"
+
+    def evaluate(self, *args: Constant) -> Constant:
+        raise ValueError(f"{self.name} has no value")
+
+
+def digest(*parts: object) -> str:
+    """A key of a kernel from what it holds: numbers, texts and tuples of them."""
+    return sha256(repr(parts).encode()).hexdigest()[:24]

@@ -1,0 +1,1 @@
+"""The kernels: each module holds one, with its evaluation and derivatives."""

@@ -1,0 +1,108 @@
+"""Kernels in CasADi: the same values and derivatives as in Python, inlined or called."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+from casadi import SX, Function
+
+from acausal.codegen.casadi_expressions import jacobian
+from acausal.codegen.kernels import MOST_INLINE, kernel_sx
+from acausal.errors import UnsupportedProblem
+from acausal.symbolic.expressions.kernel import Kernel
+from acausal.symbolic.expressions.kernels.patches import Patches, patches
+from acausal.symbolic.expressions.kernels.piecewise import Piecewise, piecewise
+from acausal.symbolic.expressions.node import Constant
+
+SIZES = [1, 2, 7, MOST_INLINE + 1, 60]
+PERIODS = [None, (-0.5, 3.0)]
+
+
+def random_pieces(count: int, period: tuple[float, float] | None, seed: int = 1) -> Piecewise:
+    rng = np.random.default_rng(seed + count)
+    breaks = np.sort(rng.uniform(-0.5, 2.5, count - 1))
+    coefficients = [list(rng.normal(size=1 + k % 4)) for k in range(count)]
+    return piecewise("random", list(breaks), list(rng.normal(size=count)), coefficients, 0, period, 2.5)
+
+
+def random_patches(rows: int, columns: int, period: tuple[float, float] | None) -> Patches:
+    rng = np.random.default_rng(rows * 100 + columns)
+    breaks = [list(np.sort(rng.uniform(-0.5, 2.5, n - 1))) for n in (rows, columns)]
+    origins = [list(rng.normal(size=n)) for n in (rows, columns)]
+    data = rng.normal(size=(rows * columns, 6))
+    return patches(
+        "random", (breaks[0], breaks[1]), (origins[0], origins[1]), (3, 2), data.tolist(), 0, (None, period)
+    )
+
+
+def points(kernel: Kernel, breaks: tuple[float, ...]) -> list[tuple[float, ...]]:
+    rng = np.random.default_rng(3)
+    inside = [tuple(rng.uniform(-4, 4, kernel.arity)) for _ in range(40)]
+    return [*inside, *[(b, b) for b in breaks[:5]]]
+
+
+def number(value: Constant) -> float:
+    assert isinstance(value, (int, float))
+    return float(value)
+
+
+def check(kernel: Kernel, breaks: tuple[float, ...]) -> None:
+    x = SX.sym("x", 2)
+    run = Function(
+        "run", [x], [kernel_sx(kernel, [x[0], x[1]]), jacobian(kernel_sx(kernel, [x[0], x[1]]), x)]
+    )
+    slopes = [kernel.partial(0), kernel.partial(1)]
+    for point in points(kernel, breaks):
+        value, slope = run(point)
+        assert float(value) == pytest.approx(number(kernel.evaluate(*point)), rel=1e-9, abs=1e-9)
+        expected = [0.0 if part is None else number(part.evaluate(*point)) for part in slopes]
+        assert np.array(ca.densify(slope))[0] == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("period", PERIODS)
+@pytest.mark.parametrize("size", SIZES)
+def test_piecewise(size: int, period: tuple[float, float] | None) -> None:
+    kernel = random_pieces(size, period)
+    check(kernel, kernel.breaks)
+
+
+@pytest.mark.parametrize("period", PERIODS)
+@pytest.mark.parametrize(("rows", "columns"), [(1, 1), (2, 3), (3, 1), (4, 5), (12, 2)])
+def test_patches(rows: int, columns: int, period: tuple[float, float] | None) -> None:
+    check(random_patches(rows, columns, period), ())
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_generates_c(size: int) -> None:
+    x = SX.sym("x")
+    generator = ca.CodeGenerator("table.c")
+    generator.add(Function("run", [x], [kernel_sx(random_pieces(size, None), [x, x])]))
+    assert "run" in generator.dump()
+
+
+class Counter(Kernel):
+    """A kernel only Python knows."""
+
+    name = "count"
+    key = "count"
+    arity = 1
+    continuity = -1
+
+    def __init__(self, result: str) -> None:
+        self.result = result
+
+    def evaluate(self, *args: Constant) -> Constant:
+        return round(number(args[0]) * 10) if self.result == "Integer" else str(args[0])
+
+
+def test_python_kernels_are_called_and_have_no_derivative() -> None:
+    x = SX.sym("x")
+    value = kernel_sx(Counter("Integer"), [x]) * x
+    run = Function("run", [x], [value, jacobian(value, x)])
+    assert [float(r) for r in run(2.0)] == [40.0, 20.0]
+
+
+def test_texts_have_no_numeric_code() -> None:
+    with pytest.raises(UnsupportedProblem):
+        kernel_sx(Counter("String"), [SX.sym("x")])
