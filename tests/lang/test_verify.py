@@ -20,7 +20,8 @@ from acausal.lang.flat import (
     Variable,
 )
 from acausal.lang.verify import verify
-from acausal.symbolic.expressions.expr import EnumValue, const, make, sym
+from acausal.symbolic.expressions.expr import EnumValue, call, const, make, sym
+from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.operators import OPERATORS
 from tests.growth import Work, growth
 from tests.lang.flat_models import assertion, equation, expression, model, parameter, real, span, variable
