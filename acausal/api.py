@@ -51,7 +51,10 @@ class Model:
     def check(
         self, parameters: Mapping[str, ParameterValue] | None = None, /, **more: ParameterValue
     ) -> tuple[Diagnostic, ...]:
-        """Names, types, units and the balance of equations; returns warnings, raises `AcausalError`."""
+        """Names, types, units and the balance of equations; returns warnings, raises `AcausalError`.
+
+        A model with connectors of its own is judged as a component: something may be connected to them.
+        """
         compilation = self.run({**(parameters or {}), **more}, stop_after="flat")
         assert compilation.flat is not None
         check_flat(compilation.flat)
@@ -227,7 +230,7 @@ def check_flat(flat: FlatModel) -> None:
     Raises `TypeProblem` and `BalanceProblem`.
     """
     order_parameters(flat)
-    check_balance(flat)
+    check_balance(flat, as_component=True)
 
 
 def as_modelica(value: ParameterValue, name: str = "") -> str:

@@ -8,7 +8,7 @@ unknowns exists, the Dulmage-Mendelsohn decomposition gives the parts with too m
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from acausal.errors import BalanceProblem, Diagnostic
 from acausal.lang.flat import Equation, FlatModel, Origin, Variable, When
@@ -49,15 +49,34 @@ def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[
     return Structure(tuple(flat for flat, _, _ in equations), unknowns, tuple(rows), differentiated)
 
 
-def check_balance(flat: FlatModel) -> None:
+def check_balance(flat: FlatModel, *, as_component: bool = False) -> None:
     """Every equation must be able to determine an unknown of its own, and none may be left over.
 
-    O(V E) at worst, near-linear in practice. Raises BalanceProblem `balance.too-many-equations`,
-    `balance.too-few-equations` or `balance.structurally-singular`.
+    A model that is run alone has no flow through its own connectors. `as_component` asks instead whether
+    there is anything that could be connected to them: what is outside determines one variable of each pair
+    of flow and potential, whichever is needed. O(V E) at worst, near-linear in practice. Raises
+    BalanceProblem `balance.too-many-equations`, `balance.too-few-equations` or
+    `balance.structurally-singular`.
     """
     rows = [(e, e.left, e.right) for e in flat.equations]
     rows += [(e, e.left, e.left) for when in flat.whens for e in _determining(when)]
-    require_complete(structure(rows, determined(flat)), flat.name)
+    system = structure(rows, determined(flat))
+    require_complete(_opened(system) if as_component else system, flat.name)
+
+
+def _opened(system: Structure) -> Structure:
+    """The equations `flow = 0` of the model's own connectors hold the connector's potentials as well."""
+    potentials: dict[str, list[Var]] = {}
+    for i, variable in enumerate(system.unknowns):
+        connector = variable.name.rpartition(".")[0]
+        if variable.top_level and connector and not variable.flow:
+            potentials.setdefault(connector, []).append(Var(i))
+    rows = list(system.incidence)
+    for i, equation in enumerate(system.equations):
+        if equation.origin is Origin.UNCONNECTED and not equation.component:
+            connector = equation.left.name.rpartition(".")[0]
+            rows[i] = (*rows[i], *potentials.get(connector, ()))
+    return replace(system, incidence=tuple(rows))
 
 
 def _determining(when: When) -> tuple[Equation, ...]:

@@ -35,6 +35,7 @@ class Attributes(TypedDict, total=False):
     """Attributes of a variable, as expressions or texts of expressions."""
 
     start: str | float
+    top_level: bool
     fixed: bool
     nominal: str | float
     min: str | float
@@ -224,7 +225,7 @@ def _variable(name: str, given: Attributes, span: Span) -> Variable:
         max=_optional(given.get("max")),
         state_select=given.get("select", StateSelect.DEFAULT),
         flow=given.get("flow", False),
-        top_level="." not in name,
+        top_level=given.get("top_level", "." not in name),
     )
 
 

@@ -100,3 +100,22 @@ def test_the_culprit_in_a_large_model() -> None:
     found = problems(merged)
     assert found[0].code == "balance.too-many-equations"
     assert any(d.span == extra[0].span for d in found)
+
+
+def test_a_component_is_judged_by_what_may_be_connected_to_it() -> None:
+    top: Attributes = {"top_level": True}
+    variables: dict[str, Attributes] = {
+        "p.v": top,
+        "n.v": top,
+        "p.i": top | {"flow": True},
+        "n.i": top | {"flow": True},
+    }
+    origins = {2: Origin.UNCONNECTED, 3: Origin.UNCONNECTED}
+    resistor = model(
+        "p.v - n.v = 2*p.i", "p.i + n.i = 0", "p.i = 0", "n.i = 0", variables=variables, origins=origins
+    )
+    assert {d.code for d in problems(resistor)} == {"balance.structurally-singular"}
+    check_balance(resistor, as_component=True)
+    texts = ("p.v = 1", "p.v = 2", "p.i = 0", "n.i = 0")  # nothing connected to p could make up for that
+    with pytest.raises(BalanceProblem):
+        check_balance(model(*texts, variables=variables, origins=origins), as_component=True)
