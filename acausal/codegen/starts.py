@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from acausal.codegen.segments import expressions
-from acausal.errors import UnsupportedProblem, fail
 from acausal.lang.flat import Origin
 from acausal.symbolic.causal import Assignment, Block, CausalEquation, CausalSystem, InitialValue, Residual
 from acausal.symbolic.expressions.expr import Expr, sub, sym, symbols
+from acausal.symbolic.parameters import dependent_parameters, free_parameters
 
 
 def start_leaf(name: str) -> Expr:
@@ -32,36 +31,13 @@ class OpenStarts:
 
 def open_starts(system: CausalSystem) -> OpenStarts:
     """Rewrites every `x = start` of the initial problem. O(size of the initial problem)."""
-    free = {v.name for v in system.flat.parameters if not v.is_fixed}
+    flat = system.flat
+    free = {v.name for v in (*free_parameters(flat), *dependent_parameters(flat, system.parameters))}
     values = {value.name: value for value in system.initial.values}
     closed = frozenset(v.name for v in values.values() if free and free.intersection(symbols([v.value])))
     opener = _Opener(system, {name: v for name, v in values.items() if name not in closed})
     blocks = tuple(opener.block(block) for block in system.initial.blocks)
-    if free:
-        _check_dependents(system, free)
     return OpenStarts(blocks, tuple(opener.residual(r) for r in system.initial.checks), closed)
-
-
-def _check_dependents(system: CausalSystem, free: set[str]) -> None:
-    """Refuses an initial problem that reads a parameter computed from one which it determines."""
-    of: dict[str, str] = {}
-    for name in system.parameters:
-        binding = system.flat.by_name[name].binding
-        used = symbols([binding]) if binding is not None and name not in free else ()
-        source = next((n for n in used if n in free or n in of), None)
-        if source is not None:
-            of[name] = of.get(source, source)
-    for name in symbols([*expressions(system.initial.blocks), *(c.value for c in system.initial.checks)]):
-        if name in of:
-            raise fail(
-                UnsupportedProblem,
-                "codegen.dependent-parameter",
-                f"the initial equations use parameter `{name}`, which is computed from `{of[name]}`, "
-                "which they determine",
-                system.flat.by_name[name].span,
-                names=[name, of[name]],
-                hint=f"give `{name}` fixed = false too, and its value in an initial equation",
-            )
 
 
 class _Opener:

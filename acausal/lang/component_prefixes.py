@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.flat import REAL, Causality, ScalarType, Variability
@@ -29,12 +31,24 @@ def component_prefixes(entry: ComponentEntry, clause: ast.ComponentClause, outer
         connection if connection is not Connection.POTENTIAL else outer.connection,
         outer.protected or entry.protected,
         clause.prefixes.final,
+        _evaluated(entry, clause, outer),
     )
+
+
+def _evaluated(entry: ComponentEntry, clause: ast.ComponentClause, outer: Prefixes) -> bool:
+    """What the declaration's annotation `Evaluate` says; where it is silent, what the record around says."""
+    declaration = entry.declaration if clause is entry.clause else clause.declarations[0]
+    annotation = declaration.comment.annotation
+    for argument in () if annotation is None else annotation.arguments:
+        if isinstance(argument, ast.ElementModification) and argument.name == ("Evaluate",):
+            value = None if argument.modification is None else argument.modification.value
+            return isinstance(value, ast.BooleanLiteral) and value.value
+    return outer.evaluate
 
 
 def with_causality(prefixes: Prefixes, causality: Causality) -> Prefixes:
     """The same prefixes with another causality."""
-    return Prefixes(prefixes.variability, causality, prefixes.connection, prefixes.protected, prefixes.final)
+    return replace(prefixes, causality=causality)
 
 
 def inherit_kind(prefixes: Prefixes, scope: Scope) -> Prefixes:
@@ -54,11 +68,5 @@ def inherit_kind(prefixes: Prefixes, scope: Scope) -> Prefixes:
 def discrete_default(prefixes: Prefixes, type_: ScalarType) -> Prefixes:
     """Variables that are not Real change only at events (Modelica 3.6, 4.5)."""
     if prefixes.variability is Variability.CONTINUOUS and type_ != REAL:
-        return Prefixes(
-            Variability.DISCRETE,
-            prefixes.causality,
-            prefixes.connection,
-            prefixes.protected,
-            prefixes.final,
-        )
+        return replace(prefixes, variability=Variability.DISCRETE)
     return prefixes

@@ -100,7 +100,8 @@ class Variable:
     protected: bool = False
     final: bool = False
     structural: bool = False
-    """A parameter whose value shaped the model (an array size, an `if`-equation): changing it re-flattens."""
+    """A parameter whose value shaped the model (an array size, an `if`-equation), or that is to be evaluated
+    (`annotation(Evaluate = true)`): changing it re-flattens."""
     top_level: bool = False
     """Declared (or inherited) by the model itself or its own connectors, not by one of its components."""
     description: str = ""

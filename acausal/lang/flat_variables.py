@@ -104,7 +104,9 @@ class Variables:
             prefixes.connection is Connection.FLOW,
             prefixes.protected,
             prefixes.final,
-            False,
+            prefixes.evaluate
+            and prefixes.variability is Variability.PARAMETER
+            and attributes.fixed is not False,
             top,
             leaf.description,
         )

@@ -55,6 +55,9 @@ def _components(root: Instance) -> list[Instance]:
 
 
 def _marked(translator: Translator, variables: list[Variable]) -> tuple[Variable, ...]:
-    """The variables, with those marked as structural whose values shaped the model."""
+    """The variables, with those marked as structural whose values shaped the model or are to be evaluated."""
+    for variable in variables:
+        if variable.structural:
+            translator.mark_evaluated(variable.name)
     structural = translator.structural
     return tuple([replace(v, structural=True) if v.name in structural else v for v in variables])

@@ -36,6 +36,8 @@ class Prefixes:
     connection: Connection = Connection.POTENTIAL
     protected: bool = False
     final: bool = False
+    evaluate: bool = False
+    """`annotation(Evaluate = true)` of a parameter: its value is used at compile time (18.3)."""
 
 
 @light_object

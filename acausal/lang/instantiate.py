@@ -7,6 +7,7 @@ Members are built when they are first asked for, because a size may depend on a 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from acausal.errors import TypeProblem, fail
 from acausal.lang import ast
@@ -290,6 +291,8 @@ class Instantiator:
         prefixes = plan.prefixes
         if simple.causality is not prefixes.causality and prefixes.causality is Causality.LOCAL:
             prefixes = with_causality(prefixes, simple.causality)
+        if modifier.final and not prefixes.final:
+            prefixes = replace(prefixes, final=True)
         return Leaf(
             path,
             simple.scalar,

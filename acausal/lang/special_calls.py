@@ -10,7 +10,7 @@ from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.flat import INTEGER, REAL
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, Value, describe, literal, shape_of
+from acausal.lang.values import AnyValue, Value, describe, literal, shape_of, zip_with
 from acausal.symbolic.expressions import expr as ex
 
 SpecialCall = Callable[[Translation, ast.Call, Env], AnyValue]
@@ -47,14 +47,25 @@ def _smooth(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
 
 
 def _homotopy(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
-    """`homotopy(actual, simplified)` is its actual argument (3.7.4.3); the other one must make sense too."""
+    """`homotopy(actual, simplified)`, element by element for arrays (3.7.4.4)."""
     named = {argument.name: argument.value for argument in node.named}
     given = dict(zip(("actual", "simplified"), node.arguments, strict=False)) | named
     if set(given) != {"actual", "simplified"} or len(node.arguments) > 2:
         message = "`homotopy` takes `actual` and `simplified`"
         raise type_error("call.arguments", message, node.span, "", ("homotopy",))
-    translation.value(given["simplified"], env)
-    return translation.value(given["actual"], env)
+    actual, simplified = (
+        as_value(translation.value(given[n], env), node.span) for n in ("actual", "simplified")
+    )
+    if not (actual.type.is_numeric and simplified.type.is_numeric):
+        message = f"`homotopy` needs Reals, not {describe(actual)} and {describe(simplified)}"
+        raise type_error("type.homotopy", message, node.span, "", ex.symbols(actual.items))
+    joined = zip_with(ex.homotopy, actual, simplified, REAL) if actual.shape == simplified.shape else None
+    if joined is None:
+        message = (
+            f"`homotopy` needs two values of one size, not {describe(actual)} and {describe(simplified)}"
+        )
+        raise type_error("type.array-size", message, node.span, "", ex.symbols(actual.items))
+    return joined
 
 
 def _size(translation: Translation, node: ast.Call, env: Env) -> AnyValue:

@@ -7,7 +7,7 @@ of a parameter by its path. Parameters that were evaluated are remembered as str
 
 from __future__ import annotations
 
-from acausal.errors import Diagnostic, Span, UnsupportedProblem, fail
+from acausal.errors import Diagnostic, Span, TypeProblem, UnsupportedProblem, fail
 from acausal.lang import ast
 from acausal.lang.arithmetic import (
     as_scalar,
@@ -118,6 +118,17 @@ class Translator:
             if leaf is None or leaf.type == REAL or leaf.prefixes.variability > Variability.PARAMETER:
                 return None
         return self.decide(condition)
+
+    def mark_evaluated(self, path: str) -> None:
+        """Make a parameter structural, and those that its value depends on.
+
+        Where it has no value, whoever needs that value says so.
+        """
+        try:
+            self.parameter_value(path)
+        except TypeProblem:
+            return
+        self.structural[path] = None
 
     def _shaped_by(self, item: Expr) -> None:
         for name in ex.symbols([item]):

@@ -28,12 +28,20 @@ from acausal.symbolic.expressions.expr import Expr
 
 @dataclass(frozen=True)
 class Walk:
-    """How to solve: `kind` of error to raise, nominal values and first guesses (by text), and the time."""
+    """How to solve: `kind` of error to raise, nominal values and first guesses (by text), and the time.
+
+    `local`: a few Newton iterations from the guess only, as a step along a path may take.
+    """
 
     kind: type[AcausalError]
     time: float
     nominal: dict[Expr, float]
     guess: dict[str, float]
+    local: bool = False
+
+
+_LOCAL = 15
+"""Newton iterations of a step along a path."""
 
 
 def solve_block(code: ImplicitCode, known: Vector, how: Walk) -> tuple[Vector, bool]:
@@ -84,10 +92,10 @@ def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) ->
     def system(z: Vector) -> tuple[Vector, Matrix]:
         return residual_and_jacobian(code.residual, z, known)
 
-    solution = newton.solve(system, start, nominal)
+    solution = newton.solve(system, start, nominal, _LOCAL if how.local else newton.MAX_ITERATIONS)
     if solution.converged:
         return solution.z, False
-    continued = continuation.follow(system, start, nominal)
+    continued = None if how.local else continuation.follow(system, start, nominal)
     if continued is not None:
         return continued.z, True
     residual, jacobian = system(solution.z)

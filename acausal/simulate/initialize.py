@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from acausal.codegen.functions import Code, state_leaves
 from acausal.errors import Diagnostic, InitializationProblem
+from acausal.simulate import homotopy
 from acausal.simulate.block_solvers import Walk
 from acausal.simulate.call import call
 from acausal.simulate.evaluator import Evaluator
@@ -67,7 +68,8 @@ def initialize(
     p = parameter_values(code, given, override)
     bound = bind_inputs(code, p, inputs or {}, time, time if until is None else until)
     problem = _Problem(code, time, p, bound, start_values(code, p, start or {}))
-    walked, modes = consistent_modes(code, problem.suggested(), problem.solve, problem.wanted)
+    changes = _Changes(parameters or {}, start or {})
+    walked, modes, notes = _solved(problem, lambda error: _by_homotopy(problem, changes, error))
     known = dict(zip(code.initial.slots, walked.values.tolist(), strict=True))
     for i, name in enumerate(code.system.parameters):
         if sym(name) in code.initial.unknowns:
@@ -79,15 +81,64 @@ def initialize(
     x = np.array([known[leaf] for leaf in state_leaves(code.system)])
     reasons = code.system.initial.values
     used = tuple(UsedStart(v.name, float(s), v.reason) for v, s in zip(reasons, problem.starts, strict=True))
-    return InitialPoint(evaluator, time, x, used, tuple(_homotopy_used(b) for b in walked.continued))
+    return InitialPoint(evaluator, time, x, used, (*notes, *(_homotopy_used(b) for b in walked.continued)))
+
+
+@dataclass(frozen=True)
+class _Changes:
+    """What a run changes: parameters and start values."""
+
+    parameters: Mapping[str, Override]
+    start: Mapping[str, float]
+
+
+_Solution = tuple[Walked, Vector, tuple[Diagnostic, ...]]
+
+
+def _solved(problem: _Problem, otherwise: Callable[[InitializationProblem], _Solution]) -> _Solution:
+    """Values, modes and what to report, from the start values; else as `otherwise` finds them."""
+    try:
+        return *consistent_modes(problem.code, problem.suggested(), problem.solve, problem.wanted), ()
+    except InitializationProblem as error:
+        if problem.code.system.homotopy is None:
+            raise
+        return otherwise(error)
+
+
+def _by_homotopy(problem: _Problem, changes: _Changes, error: InitializationProblem) -> _Solution:
+    """From the end of the path that begins at the simplified equations."""
+    code = problem.code
+    blend = homotopy.compiled_blend(code, error)
+    given, override = parameter_overrides(blend, changes.parameters)
+    used = {value.name for value in blend.system.initial.values}
+    starts = {name: value for name, value in changes.start.items() if name in used}
+    position = homotopy.lambda_leaf_position(blend)
+    override[position] = 1.0
+
+    def solve(weight: float, before: homotopy.PathPoint | None) -> homotopy.PathPoint:
+        given[position] = weight
+        p = parameter_values(blend, given, override)
+        step = _Problem(blend, problem.time, p, problem.inputs, start_values(blend, p, starts))
+        modes = step.suggested()
+        if before is not None:
+            step.guess_from(before.walked, local=True)
+            modes = before.modes
+        return homotopy.PathPoint(*consistent_modes(blend, modes, step.solve, step.wanted))
+
+    followed = homotopy.follow(code, blend, solve, error)
+    problem.guess(followed.values)
+    modes = homotopy.modes_like(code, problem.suggested(), followed.modes)
+    found = consistent_modes(code, modes, problem.solve, problem.wanted)
+    return *found, (homotopy.used(code, error, followed.steps),)
 
 
 class _Problem:
     """The initial problem at one time with one set of parameters, inputs and start values."""
 
     def __init__(self, code: Code, time: float, p: Vector, inputs: Inputs, starts: Vector) -> None:
-        self._code = code
-        self._time = time
+        self.code = code
+        self.time = time
+        self.inputs = inputs
         self._p = p
         self._u = np.concatenate([inputs.constants, np.zeros(len(code.system.delays))])
         self._d = np.zeros(len(code.system.discrete.frozen))
@@ -98,24 +149,36 @@ class _Problem:
         guess = dict(zip(names, starts.tolist(), strict=True))
         self._how = Walk(InitializationProblem, time, _nominals(code, p), guess)
 
+    def guess(self, values: Mapping[str, float], *, local: bool = False) -> None:
+        """Start the search from these values, by name."""
+        self._how = replace(self._how, guess={**self._how.guess, **values}, local=local)
+
+    def guess_from(self, walked: Walked, *, local: bool) -> None:
+        """Start the search from another solution of the same problem."""
+        slots = self.code.initial.slots
+        self.guess(
+            {leaf_name(leaf): float(walked.values[slots[leaf]]) for leaf in self.code.initial.unknowns},
+            local=local,
+        )
+
     def suggested(self) -> Vector:
         """The modes with every variable at its start value."""
-        time = np.array([self._time])
-        roots = call(self._code.start_roots, time, self._p, self._u, self.starts)[0].ravel()
-        return literal_modes(operators(self._code.system), np.nan_to_num(roots, nan=0.0))
+        time = np.array([self.time])
+        roots = call(self.code.start_roots, time, self._p, self._u, self.starts)[0].ravel()
+        return literal_modes(operators(self.code.system), np.nan_to_num(roots, nan=0.0))
 
     def solve(self, modes: Vector) -> Walked:
         """All values in these modes."""
-        inputs = [np.array([self._time]), self._p, modes, self._u, self._d, self.starts]
-        return walk(self._code.initial, np.concatenate(inputs), self._how)
+        inputs = [np.array([self.time]), self._p, modes, self._u, self._d, self.starts]
+        return walk(self.code.initial, np.concatenate(inputs), self._how)
 
     def wanted(self, modes: Vector, values: Vector) -> Vector:
         """The relations' values at the solution."""
-        code, slots = self._code, self._code.initial.slots
+        code, slots = self.code, self.code.initial.slots
         x = values[[slots[leaf] for leaf in state_leaves(code.system)]]
         z = np.array([values[slots[leaf]] if leaf in slots else 0.0 for leaf in code.dynamic.guesses])
         p = values[[slots[sym(name)] for name in code.system.parameters]]
-        point = [np.array([self._time]), x, p, modes, self._u, self._d, z]
+        point = [np.array([self.time]), x, p, modes, self._u, self._d, z]
         roots, sizes = (call(f, *point)[0].ravel() for f in (code.events, code.sizes))
         rounded = (np.abs(roots) <= _ROUNDING * sizes) & (roots != 0)
         return np.where(rounded, modes, literal_modes(operators(code.system), roots))

@@ -19,7 +19,7 @@ from acausal.symbolic.alias_search import AliasSearch
 from acausal.symbolic.attributes import Member, fixed_start, merged, same_value, start_or_default
 from acausal.symbolic.causal import Alias, CausalEquation
 from acausal.symbolic.describe import place, shown
-from acausal.symbolic.expressions.expr import Expr, sym
+from acausal.symbolic.expressions.expr import Expr, const, sym
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
 from acausal.symbolic.parameters import ParameterValues
@@ -52,6 +52,8 @@ class Simplified:
     """Eliminated variables whose derivative the model uses: not states because of their alias equation."""
     differentiations: int
     """How often an alias equation counts as differentiated because its members' derivatives became one."""
+    has_homotopy: bool = False
+    """Whether an equation of the model holds the operator `homotopy`; here its actual value is left."""
 
     def chains(self) -> Chains:
         """Derivative chains of what is left."""
@@ -99,7 +101,8 @@ def _named_equation(search: AliasSearch, x: str, v: str) -> CausalEquation:
 
 def _with_rest(model: Simplified, search: AliasSearch, fixed: list[CausalEquation]) -> Simplified:
     """Initial equations and assertions in the variables that are left."""
-    mapping = {sym(alias.name): alias.value for alias in model.aliases}
+    mapping = {sym(name): const(value) for name, value in model.values.evaluated.items()}
+    mapping |= {sym(alias.name): alias.value for alias in model.aliases}
     rewrite = Rewriter(mapping, model.chains(), model.values.lookup)
     initial = [
         CausalEquation(*search.rewritten(rewrite, equation.left, equation.right, equation), equation)
@@ -108,7 +111,12 @@ def _with_rest(model: Simplified, search: AliasSearch, fixed: list[CausalEquatio
     assertions = tuple(
         _rewritten_assertion(assertion, rewrite, search) for assertion in model.flat.assertions
     )
-    return replace(model, initial_equations=(*initial, *fixed), assertions=assertions)
+    return replace(
+        model,
+        initial_equations=(*initial, *fixed),
+        assertions=assertions,
+        has_homotopy=search.has_homotopy or rewrite.met_homotopy,
+    )
 
 
 def _rewritten_assertion(assertion: Assertion, rewrite: Rewriter, search: AliasSearch) -> Assertion:

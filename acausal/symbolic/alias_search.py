@@ -17,7 +17,7 @@ from acausal.symbolic.alias_errors import (
 from acausal.symbolic.attributes import representative_key, signed
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable
-from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, der, div, neg, sub, sym
+from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, const, der, div, neg, sub, sym
 from acausal.symbolic.expressions.linear import linear_coefficient
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
@@ -40,6 +40,8 @@ class AliasSearch:
         self.current: dict[str, Expr] = {}
         """Per eliminated variable what stands for it now."""
         self.differentiated: dict[str, None] = {}
+        self.has_homotopy = False
+        """Whether an equation holds the operator `homotopy`, of which only the actual value is left here."""
         self._chain_classes = Classes()
         self._taken: dict[str, str] = {}
         """v -> x for every named derivative."""
@@ -73,7 +75,8 @@ class AliasSearch:
 
     def run(self) -> None:
         """Eliminate until nothing changes."""
-        changed = self._rewrite(dict.fromkeys(range(len(self.live))), {})
+        evaluated = {sym(name): const(value) for name, value in self.values.evaluated.items()}
+        changed = self._rewrite(dict.fromkeys(range(len(self.live))), evaluated)
         while changed:
             touched = self._find(changed)
             changed = self._substitute(touched)
@@ -240,6 +243,7 @@ class AliasSearch:
             self.left[i], self.right[i] = self.rewritten(rewrite, self.left[i], self.right[i], flat)
             self._update_leaves(i)
             changed.append(i)
+        self.has_homotopy |= rewrite.met_homotopy
         return changed
 
     def rewritten(self, rewrite: Rewriter, left: Expr, right: Expr, flat: Equation) -> tuple[Expr, Expr]:

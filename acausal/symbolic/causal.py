@@ -244,6 +244,10 @@ class CausalSystem:
     discrete: DiscretePart = DiscretePart()
     delays: tuple[Expr, ...] = ()
     """Every `delay(...)` in use: known at any time from the past of the run."""
+    evaluated: tuple[str, ...] = ()
+    """Parameters and constants whose values were put into the equations (see `parameters`)."""
+    homotopy: FlatModel | None = None
+    """The model as it came, if it holds the operator `homotopy`: what a continuation starts from."""
 
     @property
     def events(self) -> tuple[ZeroCrossing, ...]:

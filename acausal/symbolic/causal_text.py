@@ -58,6 +58,7 @@ def _states(system: CausalSystem) -> Iterator[str]:
 
 
 def _parameters(system: CausalSystem) -> Iterator[str]:
+    evaluated = frozenset(system.evaluated)
     for name in system.parameters:
         variable = system.flat.by_name[name]
         kind = "constant" if variable.variability is Variability.CONSTANT else "parameter"
@@ -65,7 +66,8 @@ def _parameters(system: CausalSystem) -> Iterator[str]:
         if not variable.is_fixed:
             yield f"{kind} {name}  // determined by the initial system"
         else:
-            yield f"{kind} {name} = {'?' if value is None else to_text(value)}"
+            note = "  // evaluated" if name in evaluated else ""
+            yield f"{kind} {name} = {'?' if value is None else to_text(value)}{note}"
 
 
 def _aliases(system: CausalSystem) -> Iterator[str]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 
 from acausal.errors import Diagnostic, ReductionProblem
 from acausal.lang.flat import FlatModel
@@ -32,18 +33,19 @@ from acausal.symbolic.solving import Profiler
 from acausal.symbolic.state_selection import Point, SelectedStates, select_states, starting_point
 
 
-def causalise(flat: FlatModel) -> CausalSystem:
+def causalise(flat: FlatModel, unevaluated: Collection[str] = ()) -> CausalSystem:
     """Choose states, order and tear the equations, and set up the initial problem.
 
-    Time grows near-linearly with the model. Raises BalanceProblem, ReductionProblem, InitializationProblem,
-    LookupProblem (`parameter.cyclic`), TypeProblem (`parameter.no-value`, `type.real-equality`) and
-    UnsupportedProblem for discrete events.
+    The values of the parameters `unevaluated` are not used. Time grows near-linearly with the model. Raises
+    BalanceProblem, ReductionProblem, InitializationProblem, LookupProblem (`parameter.cyclic`), TypeProblem
+    (`parameter.no-value`, `type.real-equality`) and UnsupportedProblem for discrete events.
     """
     check_balance(flat)
     refuse_hybrid(flat)
-    model = eliminate_aliases(flat, parameter_values(flat))
+    model = eliminate_aliases(flat, parameter_values(flat, unevaluated))
     reduced = reduce_index(model)
-    return _assembled(reduced, select_states(reduced, starting_point(reduced)), with_initial=True)
+    system = _assembled(reduced, select_states(reduced, starting_point(reduced)), with_initial=True)
+    return replace(system, homotopy=flat) if model.has_homotopy else system
 
 
 def choose_states(
@@ -96,6 +98,7 @@ def _assembled(origin: Reduced, selection: SelectedStates, *, with_initial: bool
         else InitialProblem((), ()),
         choices=selected.choices,
         dynamic=DynamicStates(selected.monitors, origin) if selected.monitors else None,
+        evaluated=tuple(model.values.evaluated),
     )
 
 

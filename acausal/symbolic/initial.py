@@ -1,9 +1,10 @@
 """The initial problem: values of everything at the start time, from equations and start values.
 
-Unknown are all leaves of the extended system and the parameters with `fixed = false`; known are time and the
-other parameters. Conditions are taken in this order, each only if the unknowns still have room for it:
+Unknown are all leaves of the extended system, the parameters with `fixed = false` and those whose bindings
+depend on them; known are time and the other parameters. Conditions are taken in this order, each only if the
+unknowns still have room for it:
 
-1. all equations, differentiated ones included;
+1. all equations, differentiated ones included, and the bindings of dependent parameters;
 2. initial equations, then `x = start` for every `fixed = true`; where there is no room they become `checks`,
    because whether they contradict the rest can only be decided by numbers;
 3. as many `x = start` of unfixed variables as are still needed (reason `assumed`): states first, then other
@@ -20,7 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from acausal.errors import Diagnostic, InitializationProblem
-from acausal.lang.flat import Equation, Variable
+from acausal.lang.flat import Equation, Origin, Variable
 from acausal.symbolic.attributes import start_or_default
 from acausal.symbolic.blocks import NoCompleteMatching, ordered_blocks, rows, square_system
 from acausal.symbolic.causal import (
@@ -38,6 +39,7 @@ from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.graphs.matching import Matcher
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.index_reduction import Reduced
+from acausal.symbolic.parameters import definition, dependent_parameters, free_parameters
 from acausal.symbolic.solving import Profiler
 
 
@@ -78,7 +80,19 @@ def initial_problem(
 
 
 def _free_parameters(reduced: Reduced) -> list[Variable]:
-    return [v for v in reduced.model.flat.parameters if not v.is_fixed]
+    return list(free_parameters(reduced.model.flat))
+
+
+def _bindings(reduced: Reduced) -> list[CausalEquation]:
+    """`q = binding` of the parameters that depend on free ones."""
+    found: list[CausalEquation] = []
+    for variable in dependent_parameters(reduced.model.flat, reduced.model.values.order):
+        value = definition(variable)
+        assert value is not None  # what depends on something has a value
+        left = sym(variable.name)
+        flat = Equation(left, value, variable.span, variable.name.rpartition(".")[0], Origin.BINDING)
+        found.append(CausalEquation(left, value, flat))
+    return found
 
 
 def _from_states(
@@ -108,15 +122,21 @@ def _state_start(variable: Variable, reduced: Reduced) -> _Start:
 def _general(
     reduced: Reduced, states: Sequence[str], fixed: list[_Start], profiler: Profiler
 ) -> InitialProblem:
-    unknowns = [*reduced.leaves, *(sym(v.name) for v in _free_parameters(reduced))]
+    bindings = _bindings(reduced)
+    given = [*reduced.equations, *bindings]
+    unknowns = [
+        *reduced.leaves,
+        *(sym(v.name) for v in _free_parameters(reduced)),
+        *(binding.left for binding in bindings),
+    ]
     index = {leaf: Var(i) for i, leaf in enumerate(unknowns)}
-    matcher = Matcher([rows(profiler.profile(e), index) for e in reduced.equations], len(unknowns))
-    matcher.augment([Eq(i) for i in range(len(reduced.equations))])
+    matcher = Matcher([rows(profiler.profile(e), index) for e in given], len(unknowns))
+    matcher.augment([Eq(i) for i in range(len(given))])
 
     def has_room(equation: CausalEquation) -> bool:
         return not matcher.augment([matcher.add_equation(rows(profiler.profile(equation), index))])
 
-    used = list(reduced.equations)
+    used = list(given)
     checks: list[CausalEquation] = []
     values: list[InitialValue] = []
     for equation in reduced.model.initial_equations:

@@ -39,6 +39,8 @@ def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
             found[node] = None
         elif op == "if":
             stack.extend((node.args[2], node.args[1]))
+        elif op == "homotopy":
+            stack.append(node.args[0])
         elif op not in _CLOSED:
             stack.extend(reversed(parts(node)))
     return tuple(found)
@@ -94,12 +96,16 @@ class Chains:
 
 
 class Rewriter:
-    """Puts expressions for symbols and expands `der(expression)`; shares work between all calls. O(nodes)."""
+    """Puts expressions for symbols and expands `der(expression)`; shares work between all calls. O(nodes).
+
+    `homotopy(actual, simplified)` becomes `actual`; `met_homotopy` says that there was one.
+    """
 
     def __init__(self, values: Mapping[Expr, Expr], chains: Chains, lookup: Lookup) -> None:
         self._memo: dict[Expr, Expr] = dict(values)
         self._chains = chains
         self._derivative = TimeDerivative(chains.derivative, lookup)
+        self.met_homotopy = False
 
     def __call__(self, root: Expr) -> Expr:
         """The rewritten expression. Raises `NotDifferentiable`."""
@@ -108,6 +114,9 @@ class Rewriter:
     def _visit(self, node: Expr, args: list[Expr]) -> Expr:
         if node.op == "der":
             return self._differentiated(args[0])
+        if node.op == "homotopy":
+            self.met_homotopy = True
+            return args[0]
         new = tuple(args)
         return node if new == node.args else rebuild(node, new)
 

@@ -1,12 +1,17 @@
-"""Parameters and constants: an order in which they can be computed, and their values."""
+"""Parameters and constants: an order in which they can be computed, and their values.
+
+*Evaluated* are those that no run can change: constants, `final` and structural parameters (those with
+`annotation(Evaluate = true)` among them), if their values depend on evaluated ones only. Their values are
+put into the equations, where a zero removes a term and a Boolean decides an `if`. All others stay symbols.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 
 from acausal.errors import Diagnostic, LookupProblem, TypeProblem
-from acausal.lang.flat import FlatModel, Variable
+from acausal.lang.flat import REAL, FlatModel, Variability, Variable
 from acausal.symbolic.describe import place
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
@@ -19,6 +24,8 @@ class ParameterValues:
     order: tuple[str, ...]
     values: dict[str, Constant]
     warnings: tuple[Diagnostic, ...] = ()
+    evaluated: dict[str, Constant] = field(default_factory=dict[str, Constant])
+    """Those whose values take the place of their names in the equations, in `order`."""
     _memo: dict[Expr, Constant] = field(default_factory=dict[Expr, Constant], compare=False, repr=False)
 
     def lookup(self, name: str) -> Constant | None:
@@ -96,8 +103,28 @@ def _cyclic(flat: FlatModel, cycle: list[str]) -> LookupProblem:
     )
 
 
-def parameter_values(flat: FlatModel) -> ParameterValues:
-    """Order and evaluate all parameters and constants; those with `fixed = false` have no value yet.
+def free_parameters(flat: FlatModel) -> tuple[Variable, ...]:
+    """The parameters that the initial problem determines, as declared: those with `fixed = false`."""
+    return tuple(v for v in flat.parameters if not v.is_fixed)
+
+
+def dependent_parameters(flat: FlatModel, order: Collection[str]) -> tuple[Variable, ...]:
+    """The parameters whose bindings depend on free ones, in `order`: determined at the start as well."""
+    unknown = {v.name for v in free_parameters(flat)}
+    found: list[Variable] = []
+    for name in order if unknown else ():
+        variable = flat.by_name[name]
+        expr = definition(variable)
+        if variable.is_fixed and expr is not None and not unknown.isdisjoint(symbols([expr])):
+            unknown.add(name)
+            found.append(variable)
+    return tuple(found)
+
+
+def parameter_values(flat: FlatModel, unevaluated: Collection[str] = ()) -> ParameterValues:
+    """Order and evaluate all parameters and constants.
+
+    Those with `fixed = false`, those named `unevaluated`, and what depends on them have no value yet.
 
     Raises LookupProblem `parameter.cyclic` and TypeProblem `parameter.no-value`, `parameter.out-of-range`.
     """
@@ -115,13 +142,21 @@ def parameter_values(flat: FlatModel) -> ParameterValues:
             continue
         if variable.binding is None:
             warnings.append(_start_used(variable))
-        value = known.constant(expr)
+        value = known.constant(expr) if name not in unevaluated else None
         if value is not None:
             known.values[name] = value  # where there is none, the run says why when it computes the parameter
+            if _is_evaluated(variable, expr, flat, known):
+                known.evaluated[name] = float(value) if variable.type == REAL else value  # type: ignore[arg-type]  # a Real's value is a number
     wrong += [d for name in order for d in out_of_range(flat.by_name[name], known.values.get(name), known)]
     if wrong:
         raise TypeProblem(wrong)
     return replace(known, warnings=tuple(warnings))
+
+
+def _is_evaluated(variable: Variable, expr: Expr, flat: FlatModel, known: ParameterValues) -> bool:
+    """Whether no run can change the value."""
+    closed = variable.variability is Variability.CONSTANT or variable.final or variable.structural
+    return closed and all(name in known.evaluated for name in symbols([expr]) if name in flat.by_name)
 
 
 def out_of_range(variable: Variable, value: Constant | None, known: ParameterValues) -> Iterator[Diagnostic]:
