@@ -157,7 +157,8 @@ def test_homotopy_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     compiled = acausal.loads(text).compile()
     assert initialize(compiled.code, 0.0).warnings == ()
 
-    def stuck(system: System, start: Vector, nominal: Vector) -> Solution:
+    def stuck(system: System, start: Vector, nominal: Vector, limit: int) -> Solution:
+        del nominal, limit
         return Solution(start, False, system(start)[0], 0)
 
     monkeypatch.setattr("acausal.simulate.block_solvers.newton.solve", stuck)
