@@ -6,7 +6,7 @@ import pytest
 
 import acausal
 from acausal.codegen.functions import Code
-from acausal.errors import LookupProblem, UnsupportedProblem, UsageProblem
+from acausal.errors import LookupProblem, UsageProblem
 from acausal.simulate.initialize import initialize
 from acausal.simulate.simulate import simulate
 from acausal.symbolic.causal import BlockKind
@@ -80,7 +80,7 @@ def test_start_value_that_the_initial_equations_determine_is_not_open() -> None:
         initialize(compiled, 0.0, {"p": 1.0})
 
 
-def test_parameter_computed_from_one_that_is_determined_is_refused() -> None:
+def test_parameter_computed_from_one_that_is_determined_follows_it() -> None:
     text = """
     model Chained
       parameter Real p(start = 1, fixed = false), twice = 2 * p;
@@ -91,8 +91,9 @@ def test_parameter_computed_from_one_that_is_determined_is_refused() -> None:
       der(x) = 0;
     end Chained;
     """
-    with pytest.raises(UnsupportedProblem, match="`twice`, which is computed from `p`"):
-        code(text)
+    point = initialize(code(text), 0.0)
+    names = point.evaluator.code.system.parameters
+    assert dict(zip(names, point.evaluator.p.tolist(), strict=True)) == {"p": 0.5, "twice": 1.0}
 
 
 def test_start_of_an_alias_says_where_to_change_it() -> None:
