@@ -7,7 +7,18 @@ from math import prod
 
 from acausal.errors import Span, TypeProblem, UnsupportedProblem, fail
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING
-from acausal.lang.values import AnyValue, Value, describe, elementwise, scalar, unify, zip_with
+from acausal.lang.values import (
+    AnyValue,
+    RecordArray,
+    RecordValue,
+    Value,
+    describe,
+    elementwise,
+    same_fields,
+    scalar,
+    unify,
+    zip_with,
+)
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
@@ -202,8 +213,19 @@ def _concatenate(a: Value, b: Value, span: Span) -> Value:
     return scalar(STRING, ex.const(x + y))
 
 
-def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> Value:
-    """`if condition then then else otherwise`, element by element."""
+def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> AnyValue:
+    """`if condition then then else otherwise`, element by element and field by field."""
+    if isinstance(then, RecordValue) and isinstance(otherwise, RecordValue) and same_fields(then, otherwise):
+        names = list(then.fields)
+        chosen = [choose(condition, then.fields[name], otherwise.fields[name], span) for name in names]
+        return then.with_fields(dict(zip(names, chosen, strict=True)))
+    if isinstance(then, RecordArray) and isinstance(otherwise, RecordArray) and then.shape == otherwise.shape:
+        items = [choose(condition, x, y, span) for x, y in zip(then.items, otherwise.items, strict=True)]
+        return RecordArray(then.shape, tuple([x for x in items if isinstance(x, RecordValue)]), then.scope)
+    return _choose_values(condition, then, otherwise, span)
+
+
+def _choose_values(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> Value:
     a, b = as_value(then, span), as_value(otherwise, span)
     type_ = unify(a.type, b.type)
     if type_ is None:

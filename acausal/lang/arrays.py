@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from acausal.errors import Span
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.array_functions import cat
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.flat import INTEGER, REAL
 from acausal.lang.iteration import iterate, iterator_values
+from acausal.lang.operator_records import sum_of_records
+from acausal.lang.record_arrays import renumbered
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, Value, describe, enumeration_literal, literal, stack
+from acausal.lang.values import AnyValue, RecordArray, Value, describe, enumeration_literal, literal, stack
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Constant, EnumValue
 
@@ -58,15 +61,28 @@ def _stacked(
     return result
 
 
-def matrix_value(translation: Translation, node: ast.Matrix, env: Env) -> Value:
+def matrix_value(translation: Translation, node: ast.Matrix, env: Env) -> AnyValue:
     """`[a, b; c, d]`: rows joined along the second dimension, then along the first (10.4.2.1)."""
+    cells = [[translation.value(cell, env) for cell in row] for row in node.rows]
+    flat = [cell for row in cells for cell in row]
+    if any(not isinstance(cell, Value) for cell in flat):
+        return renumbered(flat, lambda numbers: _matrix(_like(cells, numbers), node.span), node.span)
+    return _matrix([[as_value(cell, node.span) for cell in row] for row in cells], node.span)
+
+
+def _like(rows: Sequence[Sequence[AnyValue]], values: Sequence[Value]) -> list[list[Value]]:
+    """The values in rows as long as those of `rows`."""
+    rest = iter(values)
+    return [[next(rest) for _ in row] for row in rows]
+
+
+def _matrix(written: Sequence[Sequence[Value]], span: Span) -> Value:
     rows: list[Value] = []
-    for row in node.rows:
-        cells = [as_value(translation.value(cell, env), cell.span) for cell in row]
+    for cells in written:
         dimensions = max([2, *[len(c.shape) for c in cells]])
         shaped = [Value(c.type, (*c.shape, *(1,) * dimensions)[:dimensions], c.items) for c in cells]
-        rows.append(cat(2, shaped, node.span))
-    return cat(1, rows, node.span)
+        rows.append(cat(2, shaped, span))
+    return cat(1, rows, span)
 
 
 # --------------------------------------------------------------------------- ranges
@@ -141,6 +157,8 @@ def reduction(translation: Translation, node: ast.Call, name: str, env: Env) -> 
             raise type_error("call.reduction", f"`{name}` over an empty range", node.span, "", (name,))
         return literal(empty)
     stacked = stack(values, (len(values),))
+    if isinstance(stacked, RecordArray) and name == "sum" and len(stacked.shape) == 1:
+        return sum_of_records(translation, stacked, node.span, env)
     if not isinstance(stacked, Value):
         message = f"the terms of this `{name}` do not fit together"
         raise type_error("type.array-elements", message, node.span)

@@ -47,10 +47,26 @@ def new_frame(translation: Translation, scope: Scope, env: Env) -> Frame:
 
 
 def default_of(entry: ComponentEntry) -> ast.Expression | None:
-    """The value in a declaration."""
+    """The value in a declaration, or in the modification of an `extends` clause that inherits it."""
+    for outer in entry.through:
+        if outer.binding is not None:
+            return outer.binding.expression
     modification = entry.declaration.modification
     value = None if modification is None else modification.value
     return None if isinstance(value, ast.Break) else value
+
+
+def has_value(entry: ComponentEntry) -> bool:
+    """Whether a declaration gives the variable, or fields of it, a value."""
+    return default_of(entry) is not None or any(c.binding is not None for c in entry.own.children.values())
+
+
+def _default_env(frame: Frame, entry: ComponentEntry) -> Env:
+    """Where the default value was written; the function's variables are visible there."""
+    for outer in entry.through:
+        if outer.binding is not None:
+            return Env(outer.binding.context, frame.variables, None, frame.depth)
+    return frame.env()
 
 
 def declare(frame: Frame, entry: ComponentEntry, value: AnyValue | None, span: Span) -> AnyValue:
@@ -63,7 +79,7 @@ def declare(frame: Frame, entry: ComponentEntry, value: AnyValue | None, span: S
     if value is None:
         default = default_of(entry)
         if default is not None:
-            value = frame.translation.value(default, frame.env())
+            value = frame.translation.value(default, _default_env(frame, entry))
     if value is not None:
         frame.variables[entry.name] = value  # its sizes may name itself: `A[:, size(A, 1)]`
     shape = _declared_shape(frame, entry, simple)
@@ -112,10 +128,22 @@ def _empty(frame: Frame, entry: ComponentEntry, type_scope: Scope, shape: list[i
         message = f"the record `{type_scope.path}` contains itself"
         raise type_error("instance.recursive", message, entry.declaration.span, "", (type_scope.path,))
     inner = Frame(frame.translation, type_scope, {}, set(), frame.depth + 1)
+    given = _given_fields(frame, entry)
     for part in type_scope.table.components.values():
-        inner.variables[part.name] = declare(inner, part, None, entry.declaration.span)
-    record = RecordValue(type_scope.path, dict(inner.variables))
-    return RecordArray(tuple(shape), (record,) * prod(shape)) if shape else record
+        value = given.get(part.name)
+        inner.variables[part.name] = declare(inner, part, value, entry.declaration.span)
+    record = RecordValue(type_scope.path, dict(inner.variables), type_scope)
+    return RecordArray(tuple(shape), (record,) * prod(shape), type_scope) if shape else record
+
+
+def _given_fields(frame: Frame, entry: ComponentEntry) -> dict[str, AnyValue]:
+    """The fields that the declaration of a record variable gives values: `output R r(a = x)`."""
+    children = entry.own.children
+    return {
+        name: frame.translation.value(child.binding.expression, frame.env())
+        for name, child in children.items()
+        if child.binding is not None
+    }
 
 
 def _zero(simple: SimpleType) -> ex.Expr:

@@ -12,7 +12,7 @@ from math import prod
 
 from acausal.errors import AcausalError, UnsupportedProblem, fail
 from acausal.lang import ast
-from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.arithmetic import type_error
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.flat import REAL
@@ -22,12 +22,13 @@ from acausal.lang.function_frame import (
     declare,
     declared_rank,
     default_of,
+    has_value,
     new_frame,
 )
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, RecordValue, Value
+from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, stack
 
 _Arguments = dict[str, AnyValue]
 
@@ -100,7 +101,7 @@ def construct_record(translation: Translation, scope: Scope, node: ast.Call, env
         if value is None and default_of(entry) is None and entry in open_entries:
             raise _no_argument(scope, entry, node)
         frame.variables[entry.name] = declare(frame, entry, value, node.span)
-    return RecordValue(scope.path, {entry.name: frame.variables[entry.name] for entry in entries})
+    return RecordValue(scope.path, {entry.name: frame.variables[entry.name] for entry in entries}, scope)
 
 
 # --------------------------------------------------------------------------- one call
@@ -118,7 +119,7 @@ def _run(
         if value is None and is_input and default_of(entry) is None:
             raise _no_argument(scope, entry, node)
         frame.variables[entry.name] = declare(frame, entry, value, node.span)
-        if value is not None or default_of(entry) is not None:
+        if value is not None or has_value(entry):
             frame.assigned.add(entry.name)
     sections = [s for s, _ in scope.table.sections if isinstance(s, ast.AlgorithmSection)]
     outputs = [e for e in entries if e.clause.causality == "output" and not e.protected]
@@ -148,10 +149,10 @@ def _broadcast(
 ) -> list[AnyValue] | None:
     """A function called with arrays of what it takes works element by element (12.4.6)."""
     extra: tuple[int, ...] = ()
-    spread: dict[str, Value] = {}
+    spread: dict[str, Value | RecordArray] = {}
     for entry in inputs:
         value = given.get(entry.name)
-        if not isinstance(value, Value):
+        if value is None or isinstance(value, RecordValue):
             continue
         more = value.shape[: len(value.shape) - declared_rank(translation, entry)]
         if more and extra and more != extra:
@@ -165,9 +166,7 @@ def _broadcast(
     for k in range(prod(extra)):
         picked = dict(given)
         for name, value in spread.items():
-            shape = value.shape[len(extra) :]
-            size = prod(shape)
-            picked[name] = Value(value.type, shape, value.items[k * size : (k + 1) * size])
+            picked[name] = _block(value, value.shape[len(extra) :], k)
         columns.append(_run(translation, scope, picked, node, env))
     return _joined(columns, extra, node)
 
@@ -175,7 +174,19 @@ def _broadcast(
 def _joined(columns: list[list[AnyValue]], extra: tuple[int, ...], node: ast.Call) -> list[AnyValue]:
     results: list[AnyValue] = []
     for position in range(len(columns[0]) if columns else 0):
-        cells = [as_value(column[position], node.span) for column in columns]
-        items = tuple([item for cell in cells for item in cell.items])
-        results.append(Value(cells[0].type, extra + cells[0].shape, items))
+        joined = stack([column[position] for column in columns], extra)
+        if joined is None:
+            message = f"the results of `{node.function.text}` have different sizes"
+            raise type_error("type.array-size", message, node.span, "", (node.function.text,))
+        results.append(joined)
     return results or [Value(REAL, extra, ())]
+
+
+def _block(value: Value | RecordArray, shape: tuple[int, ...], number: int) -> AnyValue:
+    """Block `number` of the elements, as long as `shape` says."""
+    size = prod(shape)
+    start = number * size
+    if isinstance(value, Value):
+        return Value(value.type, shape, value.items[start : start + size])
+    part = value.items[start : start + size]
+    return RecordArray(shape, part, value.scope) if shape else part[0]

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import prod
 
 from acausal.errors import Span
 from acausal.lang.arithmetic import type_error
 from acausal.lang.flat import Equation
-from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, same_fields, unify
+from acausal.lang.values import (
+    AnyValue,
+    RecordArray,
+    RecordValue,
+    Value,
+    describe,
+    same_fields,
+    shape_of,
+    unify,
+)
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.text import to_text
@@ -25,6 +35,8 @@ def match_values(left: AnyValue, right: AnyValue, span: Span) -> list[tuple[Expr
         return [p for n in left.fields for p in match_values(left.fields[n], right.fields[n], span)]
     if isinstance(left, RecordArray) and isinstance(right, RecordArray) and left.shape == right.shape:
         return [p for a, b in zip(left.items, right.items, strict=True) for p in match_values(a, b, span)]
+    if prod(shape_of(left)) == 0 and shape_of(left) == shape_of(right):
+        return []
     if isinstance(left, Value) and isinstance(right, Value) and unify(left.type, right.type) is not None:
         if left.shape == right.shape:
             return list(zip(left.items, right.items, strict=True))

@@ -8,6 +8,7 @@ from acausal.errors import TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import RELATIONS, as_boolean, binary, choose
 from acausal.lang.flat import INTEGER, REAL
+from acausal.lang.operator_records import binary_record
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, Value, scalar
 from acausal.symbolic.expressions import expr as ex
@@ -35,8 +36,10 @@ def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyVal
 
 def _operation(
     translation: Translation, node: ast.Binary, left: AnyValue, right: AnyValue, env: Env
-) -> Value:
+) -> AnyValue:
     """One binary operation. Relations in functions raise no events (8.5)."""
+    if not isinstance(left, Value) or not isinstance(right, Value):
+        return binary_record(translation, node.operator, left, right, node.span, env)
     value = binary(node.operator, left, right, node.span)
     if env.depth and node.operator in RELATIONS and not value.shape:
         return scalar(value.type, ex.no_event(value.item))
@@ -54,7 +57,7 @@ def _long_sum(
         return scalar(type_, ex.add(*[t.item for t in plain]))
     value = terms[0]
     for link, term in zip(reversed(spine), terms[1:], strict=True):
-        value = binary(link.operator, value, term, link.span)
+        value = _operation(translation, link, value, term, env)
     return value
 
 

@@ -209,7 +209,8 @@ def selection_value(translation: Translation, found: Selection, span: Span) -> A
         return _one(translation, found.members[0], found.constant, span)
     values = [_one(translation, member, found.constant, span) for member in found.members]
     if all(isinstance(v, RecordValue) for v in values) and values:
-        return RecordArray(found.shape, tuple([v for v in values if isinstance(v, RecordValue)]))
+        records = tuple([v for v in values if isinstance(v, RecordValue)])
+        return RecordArray(found.shape, records, records[0].scope)
     plain = [as_value(v, span) for v in values]
     type_ = plain[0].type if plain else found.type
     if type_ is None:
@@ -232,7 +233,7 @@ def _one(translation: Translation, member: Member, constant: bool, span: Span) -
         part = translation.instances.member(member, name)
         if part is not None and not isinstance(part, Absent):
             fields[name] = _one(translation, part, constant, span)
-    return RecordValue(member.scope.path, fields)
+    return RecordValue(member.scope.path, fields, member.scope)
 
 
 def _leaf_value(translation: Translation, leaf: Leaf, constant: bool, span: Span) -> Value:

@@ -9,6 +9,7 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.flat import INTEGER, REAL
+from acausal.lang.record_arrays import rearranged
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, Value, describe, literal, shape_of, zip_with
 from acausal.symbolic.expressions import expr as ex
@@ -115,6 +116,8 @@ def _sized(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
     for arg in node.arguments[first:]:
         size = translation.evaluate_in(arg, env, f"a size in `{name}`")
         values.append(literal(size) if isinstance(size, (int, float)) else literal(-1))
+    if any(not isinstance(value, Value) for value in values):
+        return rearranged(name, values, node.span)
     return BUILTINS[name](values, node.span)
 
 
@@ -128,8 +131,10 @@ def _cat(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
     if node.named or len(node.arguments) < 2:
         raise _wrong_count(node, "cat")
     along = translation.evaluate_in(node.arguments[0], env, "the dimension of `cat`")
-    values = [as_value(translation.value(arg, env), arg.span) for arg in node.arguments[1:]]
+    values = [translation.value(arg, env) for arg in node.arguments[1:]]
     number = literal(along) if isinstance(along, int) else literal(-1)
+    if any(not isinstance(value, Value) for value in values):
+        return rearranged("cat", [number, *values], node.span)
     return BUILTINS["cat"]([number, *values], node.span)
 
 

@@ -125,7 +125,7 @@ def _updated(frame: Frame, old: AnyValue, parts: list[ast.NamePart], value: AnyV
             message = f"{describe(old)} has no field `{parts[1].name}`"
             raise type_error("lookup.unknown-field", message, parts[1].span, "", (parts[1].name,))
         inner = _updated(frame, old.fields[parts[1].name], parts[1:], value)
-        return RecordValue(old.type_name, {**old.fields, parts[1].name: inner})
+        return old.with_fields({**old.fields, parts[1].name: inner})
     if isinstance(old, Value) != isinstance(value, Value):
         message = f"`{part.name}` is {describe(old)}, but it is assigned {describe(value)}"
         raise type_error("type.mismatch", message, part.span, "", (part.name,))
@@ -268,20 +268,10 @@ def _merged(
     test: Expr, taken: dict[str, AnyValue], other: dict[str, AnyValue], span: Span
 ) -> dict[str, AnyValue]:
     return {
-        name: a if a is other[name] else _merge_value(test, a, other[name], span)
+        name: a if a is other[name] else choose(test, a, other[name], span)
         for name, a in taken.items()
         if name in other
     }
-
-
-def _merge_value(test: Expr, a: AnyValue, b: AnyValue, span: Span) -> AnyValue:
-    if isinstance(a, RecordValue) and isinstance(b, RecordValue):
-        fields = {name: _merge_value(test, a.fields[name], b.fields[name], span) for name in a.fields}
-        return RecordValue(a.type_name, fields)
-    if isinstance(a, RecordArray) and isinstance(b, RecordArray) and a.shape == b.shape:
-        items = [_merge_value(test, x, y, span) for x, y in zip(a.items, b.items, strict=True)]
-        return RecordArray(a.shape, tuple([item for item in items if isinstance(item, RecordValue)]))
-    return choose(test, a, b, span)
 
 
 # --------------------------------------------------------------------------- loops

@@ -66,4 +66,4 @@ def subscripted(
     numbers = Value(INTEGER, value.shape, tuple([ex.const(i) for i in range(len(value.items))]))
     chosen = subscript(numbers, picks)
     items = tuple([value.items[int(item.number)] for item in chosen.items])
-    return RecordArray(chosen.shape, items) if chosen.shape else items[0]
+    return RecordArray(chosen.shape, items, value.scope) if chosen.shape else items[0]

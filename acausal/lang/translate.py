@@ -15,15 +15,18 @@ from acausal.lang.arithmetic import (
     type_error,
     unary,
 )
+from acausal.lang.array_functions import Builtin
 from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
 from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.flat import INTEGER, REAL, Variability
+from acausal.lang.formals import Formal
 from acausal.lang.functions import call_function, construct_record
 from acausal.lang.instance import Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
 from acausal.lang.modifiers import Binding, Context
 from acausal.lang.operations import binary_value, if_value
+from acausal.lang.operator_records import construct, sum_of_records, text_of, unary_record
 from acausal.lang.parameter_errors import (
     bad_part,
     cyclic_parameter,
@@ -32,8 +35,9 @@ from acausal.lang.parameter_errors import (
     too_deep_calls,
     too_many_steps,
 )
+from acausal.lang.record_arrays import REARRANGING, rearranged
 from acausal.lang.references import member_value, resolve
-from acausal.lang.scope import Root
+from acausal.lang.scope import Root, Scope
 from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import subscripted
 from acausal.lang.translation import Env
@@ -55,6 +59,7 @@ class Translator:
         self.root = root
         self.instances = Instantiator(self)
         self.leaves: dict[str, Leaf] = {}
+        self.formals: dict[Scope, tuple[Formal, ...]] = {}
         self.structural: dict[str, None] = {}
         self.warnings: list[Diagnostic] = []
         self._values: dict[str, Constant] = {}
@@ -208,7 +213,10 @@ class Translator:
         if isinstance(node, (ast.RealLiteral, ast.IntegerLiteral, ast.BooleanLiteral, ast.StringLiteral)):
             return literal(node.value)
         if isinstance(node, ast.Unary):
-            return unary(node.operator, self.value(node.operand, env), node.span)
+            operand = self.value(node.operand, env)
+            if not isinstance(operand, Value):
+                return unary_record(self, node.operator, operand, node.span, env)
+            return unary(node.operator, operand, node.span)
         if isinstance(node, ast.Call):
             return self._call(node, env)
         if isinstance(node, ast.If):
@@ -268,6 +276,10 @@ class Translator:
         name = node.function.text.removeprefix(".")
         if node.iterators:
             return reduction(self, node, name, env)
+        if name == "String":
+            text = text_of(self, node, env)
+            if text is not None:
+                return text
         special = SPECIAL.get(name)
         if special is not None:
             return special(self, node, env)
@@ -275,16 +287,30 @@ class Translator:
         if builtin is not None:
             if node.named:
                 raise type_error("call.arguments", f"`{name}` has no named arguments", node.span)
-            return builtin([as_value(self.value(arg, env), arg.span) for arg in node.arguments], node.span)
+            return self._builtin(name, builtin, node, env)
         if name in NOT_YET:
             message = f"`{name}(...)` is not supported yet"
             raise fail(UnsupportedProblem, f"unsupported.{name}", message, node.span, names=[name])
         return self._user_call(node, env)
 
+    def _builtin(self, name: str, builtin: Builtin, node: ast.Call, env: Env) -> AnyValue:
+        """A built-in function of values; some take records too."""
+        values = [self.value(arg, env) for arg in node.arguments]
+        if all(isinstance(value, Value) for value in values):
+            return builtin(values, node.span)
+        if name in REARRANGING:
+            return rearranged(name, values, node.span)
+        if name == "sum" and len(values) == 1:
+            return sum_of_records(self, values[0], node.span, env)
+        return builtin(
+            [as_value(value, arg.span) for value, arg in zip(values, node.arguments, strict=True)], node.span
+        )
+
     def _user_call(self, node: ast.Call, env: Env) -> AnyValue:
         scope = env.context.scope.find_class(node.function, "function")
         if scope.kind == "record":
-            return construct_record(self, scope, node, env)
+            constructed = construct(self, scope, node, env)
+            return construct_record(self, scope, node, env) if constructed is None else constructed
         results = self.results(node, env)
         if not results:
             message = f"`{scope.path}` has no output"
@@ -293,8 +319,12 @@ class Translator:
 
     def results(self, node: ast.Call, env: Env) -> list[AnyValue]:
         """All outputs of a function call, in order. Raises `function.recursion`."""
+        return self.call(env.context.scope.find_class(node.function, "function"), node, env)
+
+    def call(self, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:
+        """As `results`, of the function `scope`."""
         if env.depth > MAX_CALL_DEPTH:
             raise too_deep_calls(node.function.text, MAX_CALL_DEPTH, node.span)
         if env.depth == 0:
             self._steps = 0
-        return call_function(self, env.context.scope.find_class(node.function, "function"), node, env)
+        return call_function(self, scope, node, env)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from acausal.errors import Span
 from acausal.lang import ast
@@ -19,6 +19,9 @@ from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType
 from acausal.lang.values import AnyValue, Value
 from acausal.symbolic.expressions.expr import Constant, Expr
+
+if TYPE_CHECKING:
+    from acausal.lang.formals import Formal
 
 
 @light_object
@@ -68,6 +71,15 @@ class Translation(Protocol):
 
     @property
     def instances(self) -> Instances: ...
+
+    @property
+    def formals(self) -> dict[Scope, tuple[Formal, ...]]:
+        """The inputs of the functions of operators met so far."""
+        ...
+
+    def call(self, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:
+        """All outputs of a call of the function `scope`, whatever name stands in the call."""
+        ...
 
     def value(self, node: ast.Expression, env: Env) -> AnyValue:
         """The symbolic value of an expression."""

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 from math import prod
+from typing import TYPE_CHECKING
 
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
 from acausal.lang.light import light_object
 from acausal.symbolic.expressions.expr import EnumValue, Expr, const
+
+if TYPE_CHECKING:  # a record knows its class, the modifiers of classes hold values
+    from acausal.lang.scope import Scope
 
 Shape = tuple[int, ...]
 
@@ -33,18 +37,24 @@ class Value:
 
 @light_object
 class RecordValue:
-    """A record: its class's name and its fields in order of declaration."""
+    """A record: its class's name, its fields in order of declaration, and its class, where known."""
 
     type_name: str
     fields: dict[str, AnyValue]
+    scope: Scope | None = None
+
+    def with_fields(self, fields: dict[str, AnyValue]) -> RecordValue:
+        """A record of the same class."""
+        return RecordValue(self.type_name, fields, self.scope)
 
 
 @light_object
 class RecordArray:
-    """An array of records, row by row."""
+    """An array of records, row by row, and their class, where known."""
 
     shape: Shape
     items: tuple[RecordValue, ...]
+    scope: Scope | None = None
 
 
 AnyValue = Value | RecordValue | RecordArray
@@ -158,7 +168,7 @@ def select_part(value: AnyValue, selector: int | str) -> AnyValue | None:
         rest = value.shape[1:]
         size = prod(rest)
         part = value.items[selector * size : (selector + 1) * size]
-        return part[0] if not rest else RecordArray(rest, part)
+        return part[0] if not rest else RecordArray(rest, part, value.scope)
     return None
 
 
@@ -180,10 +190,11 @@ def stack(values: Sequence[AnyValue], shape: Shape) -> AnyValue | None:
 def _stack_records(values: Sequence[AnyValue], shape: Shape) -> RecordArray | None:
     single = [v for v in values if isinstance(v, RecordValue)]
     if single and len(single) == len(values) and all(same_fields(v, single[0]) for v in single):
-        return RecordArray(shape, tuple(single))
+        return RecordArray(shape, tuple(single), single[0].scope)
     arrays = [v for v in values if isinstance(v, RecordArray)]
     if arrays and len(arrays) == len(values) and all(v.shape == arrays[0].shape for v in arrays):
-        return RecordArray(shape + arrays[0].shape, tuple([item for v in arrays for item in v.items]))
+        items = tuple([item for v in arrays for item in v.items])
+        return RecordArray(shape + arrays[0].shape, items, arrays[0].scope)
     return None
 
 
