@@ -150,7 +150,7 @@ BUILTINS: dict[str, Builtin] = {
 NOT_YET = frozenset(
     {
         "pre", "edge", "change", "sample", "initial", "terminal", "reinit", "terminate", "delay",
-        "semiLinear", "inStream", "actualStream", "cardinality", "spatialDistribution", "getInstanceName",
+        "semiLinear", "inStream", "actualStream", "spatialDistribution", "getInstanceName",
         "previous", "hold", "Clock", "subSample", "superSample", "shiftSample", "backSample", "noClock",
         "interval", "firstTick", "transition", "String",
     }

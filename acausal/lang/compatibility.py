@@ -10,6 +10,7 @@ from __future__ import annotations
 from acausal.errors import AcausalError, Span, TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
+from acausal.lang.instance import Instance
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleTypes
 
@@ -33,6 +34,21 @@ def check_component_redeclaration(
     why = _difference(new, constraint, types, 0)
     if why:
         raise _incompatible(f"`{path}` is redeclared with the type", new, constraint, span, why)
+
+
+def check_inner(path: str, inner: Instance, outer: Scope, span: Span, types: SimpleTypes) -> None:
+    """The class of an `inner` component against that of an `outer` one (5.4). Raises `inner.incompatible`."""
+    why = _difference(inner.scope, outer, types, 0)
+    if why:
+        raise fail(
+            TypeProblem,
+            "inner.incompatible",
+            f"`{path}` is an `outer` `{outer.path}`, but the `inner` component is a "
+            f"`{inner.scope.path}`: {why}",
+            span,
+            names=[path, inner.path],
+            hint="the `inner` component must have all that the class of the `outer` one has",
+        )
 
 
 def _incompatible(what: str, new: Scope, constraint: Scope, span: Span, why: str) -> AcausalError:

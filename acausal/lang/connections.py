@@ -7,6 +7,7 @@ that is connected to nothing is zero; so is one of the model's own connectors.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from acausal.errors import Span
@@ -32,6 +33,15 @@ class ConnectionSets:
     """Parameters in connected connectors: their values must agree."""
     hidden: set[str] = field(default_factory=set[str])
     """Variables of protected connectors, which nothing outside their component can feed."""
+
+    overdetermined: Mapping[str, object] = field(default_factory=dict[str, object])
+    """Paths of overdetermined records and types (9.4)."""
+    broken: Mapping[tuple[str, str], None] = field(default_factory=dict[tuple[str, str], None])
+    """Connections of those that the spanning trees leave out."""
+    constraints: list[tuple[Member, Member, Span, str]] = field(
+        default_factory=list[tuple[Member, Member, Span, str]]
+    )
+    """Connections replaced by the residue of `equalityConstraint`."""
 
     def find(self, node: _Node) -> _Node:
         root = node
@@ -68,7 +78,9 @@ def _connect(
     sets: ConnectionSets, left: tuple[Member, bool], right: tuple[Member, bool], span: Span, component: str
 ) -> None:
     (a, a_inside), (b, b_inside) = left, right
-    if isinstance(a, Leaf) and isinstance(b, Leaf):
+    if sets.overdetermined and a.path in sets.overdetermined and (a.path, b.path) in sets.broken:
+        sets.constraints.append((a, b, span, component))
+    elif isinstance(a, Leaf) and isinstance(b, Leaf):
         _connect_leaves(sets, (a, a_inside), (b, b_inside), span, component)
     elif isinstance(a, Instance) and isinstance(b, Instance):
         names = list(a.members)
@@ -191,4 +203,6 @@ def _flow_leaves(root: Instance) -> list[tuple[Leaf, str]]:
         elif isinstance(member, Instance):
             parts = reversed(member.members.values())
             stack.extend([(part, member.path) for part in parts if not isinstance(part, Leaf)])
+        elif isinstance(member, Outer) and member.own is not None:
+            stack.append((member.own, owner))
     return found

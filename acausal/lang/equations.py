@@ -12,6 +12,7 @@ from acausal.lang.connections import ConnectionSets, connect
 from acausal.lang.flat import STRING, Assertion, Equation, Origin
 from acausal.lang.instance import Absent, Instance, leaves
 from acausal.lang.iteration import iterate
+from acausal.lang.links import GRAPH_CALLS, call_name
 from acausal.lang.matching_values import match_values, merge_branches
 from acausal.lang.modifiers import Context
 from acausal.lang.naming import names_in, with_names
@@ -27,12 +28,12 @@ MAX_EQUATIONS = 1_000_000
 class Equations:
     """What the equation sections of components come to, collected component by component."""
 
-    def __init__(self, translation: Translation) -> None:
+    def __init__(self, translation: Translation, sets: ConnectionSets) -> None:
         self._translation = translation
         self.equations: list[Equation] = []
         self.initial: list[Equation] = []
         self.assertions: list[Assertion] = []
-        self.sets = ConnectionSets()
+        self.sets = sets
         self._conditions = 0
         """How many `if`-equations on variables are being translated."""
 
@@ -65,7 +66,7 @@ class Equations:
         elif isinstance(node, ast.IfEquation):
             self._if(node, env, target)
         elif isinstance(node, ast.CallEquation):
-            self._call(node, env)
+            self._call(node, env, target)
         else:
             raise fail(
                 UnsupportedProblem,
@@ -175,19 +176,19 @@ class Equations:
 
     # ------------------------------------------------------------------ connect and assert
 
-    def _connect(self, node: ast.ConnectEquation, env: Env, target: list[Equation]) -> None:
+    def _check_unconditional(
+        self, what: str, node: ast.Equation, target: list[Equation], names: tuple[str, ...] = ()
+    ) -> None:
+        """What makes connections must not depend on variables (9.3)."""
         if self._conditions or target is self.initial:
             where = "an if-equation needs a condition known at compile time"
             if not self._conditions:
                 where = "an initial equation is not possible"
             hint = "make the condition depend on parameters only" if self._conditions else ""
-            raise type_error(
-                "connect.conditional",
-                f"`connect` in {where}",
-                node.span,
-                hint,
-                (node.left.text, node.right.text),
-            )
+            raise type_error("connect.conditional", f"`{what}` in {where}", node.span, hint, names or (what,))
+
+    def _connect(self, node: ast.ConnectEquation, env: Env, target: list[Equation]) -> None:
+        self._check_unconditional("connect", node, target, (node.left.text, node.right.text))
         left = connector_side(self._translation, node.left, env)
         right = connector_side(self._translation, node.right, env)
         if any(isinstance(member, Absent) for side in (left, right) for member in side.members):
@@ -203,8 +204,12 @@ class Equations:
         for x, y in zip(left.members, right.members, strict=True):
             connect(self.sets, (x, left.inside), (y, right.inside), node.span, component)
 
-    def _call(self, node: ast.CallEquation, env: Env) -> None:
-        name = node.call.function.text
+    def _call(self, node: ast.CallEquation, env: Env, target: list[Equation]) -> None:
+        name = call_name(node.call)
+        if name in GRAPH_CALLS:
+            self._check_unconditional(name, node, target)
+            self._translation.network(node.span).graph(node.span)  # which checks the call
+            return
         if name != "assert":
             message = f"`{name}(...)` as an equation is not supported yet"
             raise fail(UnsupportedProblem, "unsupported.call-equation", message, node.span, names=[name])

@@ -62,6 +62,8 @@ class Variables:
             elif isinstance(member, Instance):
                 own = top and member.is_connector
                 stack.extend([(part, own) for part in reversed(member.members.values())])
+            elif isinstance(member, Outer) and member.own is not None:
+                stack.append((member.own, top))
         return found
 
     def _variable(self, leaf: Leaf, top: bool) -> Variable:

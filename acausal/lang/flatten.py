@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from acausal.lang.connections import check_constants, connection_equations
+from acausal.lang.connection_constraints import constraint_equations
+from acausal.lang.connections import ConnectionSets, check_constants, connection_equations
 from acausal.lang.equations import Equations
 from acausal.lang.experiment import experiment_of
 from acausal.lang.flat import FlatModel, Variable
 from acausal.lang.flat_variables import Variables
-from acausal.lang.instance import Array, Instance, Leaf, Member, Outer
+from acausal.lang.instance import Instance
+from acausal.lang.links import components
 from acausal.lang.translate import Translator
 from acausal.symbolic.expressions import expr as ex
 
 
 def flatten(translator: Translator, root: Instance) -> FlatModel:
     """The FlatModel of a complete instance tree. Raises what its expressions and equations raise."""
+    network = translator.start(root)
+    sets = ConnectionSets()
+    if network.overdetermined:
+        sets.overdetermined = network.overdetermined
+        sets.broken = network.graph(root.scope.span).broken
+    work = Equations(translator, sets)
     variables = Variables(translator)
     found = variables.of(root)
-    work = Equations(translator)
-    for instance in _components(root):
+    for instance in components(root):
         work.component(instance)
     constants = dict.fromkeys(leaf.path for a, b, _ in work.sets.constants for leaf in (a, b))
     values = {
@@ -27,31 +34,23 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         for path in constants
     }
     check_constants(work.sets, values)
+    constraints = constraint_equations(translator, sets, network.overdetermined, root)
     return FlatModel(
         name=root.scope.path,
         description=root.description,
         variables=_marked(translator, found),
-        equations=(*variables.bindings, *work.equations, *connection_equations(work.sets, root)),
+        equations=(
+            *variables.bindings,
+            *work.equations,
+            *connection_equations(work.sets, root),
+            *constraints,
+        ),
         initial_equations=tuple(work.initial),
         assertions=tuple(work.assertions),
         experiment=experiment_of(translator, root.scope),
         span=root.scope.span,
         warnings=tuple(translator.warnings),
     )
-
-
-def _components(root: Instance) -> list[Instance]:
-    """All components, depth first, each before its parts."""
-    found: list[Instance] = []
-    stack: list[Member | Outer] = [root]
-    while stack:
-        member = stack.pop()
-        if isinstance(member, Instance):
-            found.append(member)
-            stack.extend([m for m in reversed(member.members.values()) if not isinstance(m, Leaf)])
-        elif isinstance(member, Array) and member.type is None:
-            stack.extend(reversed(member.items))
-    return found
 
 
 def _marked(translator: Translator, variables: list[Variable]) -> tuple[Variable, ...]:

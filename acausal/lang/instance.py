@@ -69,19 +69,27 @@ class Array:
 
 @light_object
 class Absent:
-    """A conditional component whose condition is false."""
+    """A conditional component whose condition is false.
+
+    `potential` marks a variable of an expandable connector that nothing makes present (9.1.3).
+    """
 
     path: str
     span: Span
+    potential: bool = False
 
 
 @light_object
 class Outer:
-    """An `outer` component: the `inner` one that it stands for."""
+    """An `outer` component: the `inner` one that it stands for.
+
+    `own` is the component that an `inner outer` declares for the components below.
+    """
 
     path: str
     target: Leaf | Array | Absent | Instance
     span: Span
+    own: Leaf | Array | Absent | Instance | None = None
 
 
 @light_object
@@ -133,6 +141,8 @@ def leaves(member: Member) -> Iterator[Leaf]:
             stack.extend(reversed(current.items))
         elif isinstance(current, Instance):
             stack.extend(reversed(current.members.values()))
+        elif isinstance(current, Outer) and current.own is not None:
+            stack.append(current.own)
 
 
 def print_instance(root: Instance) -> str:
@@ -156,6 +166,8 @@ def print_instance(root: Instance) -> str:
             lines.append(f"{pad}{name} (absent)")
         elif isinstance(member, Outer):
             lines.append(f"{pad}{name} is the inner {member.target.path}")
+            if member.own is not None:
+                stack.append((f"{name} (inner)", member.own, depth))
         else:
             lines.append(f"{pad}{name} : {member.scope.path}")
             stack.extend((n, m, depth + 1) for n, m in reversed(member.members.items()))

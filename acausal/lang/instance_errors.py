@@ -43,25 +43,19 @@ def check_instantiable(scope: Scope, path: str, span: Span) -> None:
 def refuse_unsupported(clause: ast.ComponentClause, path: str) -> None:
     """Raise for prefixes that this version does not know."""
     if clause.flow == "stream":
-        what = "stream"
-    elif clause.prefixes.inner and clause.prefixes.outer:
-        what = "inner outer"
-    else:
-        return
-    code = f"unsupported.{what.replace(' ', '-')}"
-    message = f"`{path}` is declared `{what}`, which is not supported yet"
-    raise fail(UnsupportedProblem, code, message, clause.span, names=[path])
+        message = f"`{path}` is declared `stream`, which is not supported yet"
+        raise fail(UnsupportedProblem, "unsupported.stream", message, clause.span, names=[path])
 
 
-def no_inner(name: str, path: str, span: Span) -> AcausalError:
-    """The refusal of an `outer` component without an `inner` one, which a tool may add by itself (5.4)."""
+def outer_modified(path: str, span: Span | None) -> AcausalError:
+    """The error for a modification of an `outer` component (5.4)."""
     return fail(
-        UnsupportedProblem,
-        "unsupported.missing-inner",
-        f"`{path}` is `outer`, but no component around it declares an `inner` `{name}`",
+        TypeProblem,
+        "inner.outer-modified",
+        f"`{path}` is `outer` and cannot be modified",
         span,
         names=[path],
-        hint=f"declare `inner ... {name};` in a model that contains this component",
+        hint="modify the `inner` component",
     )
 
 
@@ -117,4 +111,13 @@ def cyclic_structure(entry: ComponentEntry, instance: Instance) -> AcausalError:
         entry.declaration.span,
         names=[path],
         hint="break the circle of parameters",
+    )
+
+
+def unsupported_overdetermined(path: str, span: Span) -> AcausalError:
+    """The refusal of an array of an overdetermined type, each element of which would be a node (9.4)."""
+    message = f"`{path}` is an array of an overdetermined type, which is not supported"
+    hint = "put the overdetermined type into a record, and make an array of records"
+    return fail(
+        UnsupportedProblem, "unsupported.overdetermined-array", message, span, names=[path], hint=hint
     )

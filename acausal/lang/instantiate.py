@@ -6,14 +6,15 @@ Members are built when they are first asked for, because a size may depend on a 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from acausal.errors import TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.array_sizes import array_shape
+from acausal.lang.automatic_inner import AutomaticInners, no_outer_around
 from acausal.lang.class_table import ComponentEntry
-from acausal.lang.compatibility import check_class_redeclaration, check_component_redeclaration
+from acausal.lang.compatibility import check_class_redeclaration, check_component_redeclaration, check_inner
+from acausal.lang.component_plan import Plan, array_of, check_targets, description_of, spread_record
 from acausal.lang.component_prefixes import (
     component_prefixes,
     discrete_default,
@@ -26,21 +27,19 @@ from acausal.lang.instance_errors import (
     check_instantiable,
     cyclic_structure,
     modifies_protected,
-    no_inner,
     not_a_component,
+    outer_modified,
     refuse_unsupported,
     too_deep,
     too_large,
+    unsupported_overdetermined,
 )
-from acausal.lang.light import light_object
-from acausal.lang.lookup_errors import unknown_target
 from acausal.lang.modifiers import (
     NO_MODIFIER,
     Binding,
     Context,
     Modifier,
     bound,
-    element_of,
     merge,
     modifier_of,
     not_replaceable,
@@ -56,18 +55,6 @@ MAX_MEMBERS = 1_000_000
 """Bound on the components and scalars of one model."""
 
 
-@light_object
-class _Plan:
-    """A component about to be built, an array before its elements."""
-
-    path: str
-    clause: ast.ComponentClause
-    declaration: ast.Declaration
-    context: Context
-    prefixes: Prefixes
-    type: Scope
-
-
 class Instantiator:
     """Builds members on demand."""
 
@@ -81,13 +68,17 @@ class Instantiator:
         self._prefixes: dict[tuple[ComponentEntry, Prefixes], Prefixes] = {}
         self._attributes: dict[tuple[SimpleType, tuple[Modifier, ...]], dict[str, Binding]] = {}
         self._count = 0
+        self._automatic = AutomaticInners(self, translation.warnings)
+        self._constraints: dict[Scope, Scope | None] = {}
+        self.overdetermined: dict[str, Scope] = {}
+        """The function `equalityConstraint` of each overdetermined record or type, by path (9.4)."""
 
     # ------------------------------------------------------------------ roots
 
     def model(self, scope: Scope, modifier: Modifier) -> Instance:
         """The top-level instance; its path is empty."""
         scope = scope.modified(modifier)
-        _check_targets(scope, modifier)
+        check_targets(scope, modifier)
         return Instance("", scope, None, Prefixes(), scope.span, description_of(scope), modifier)
 
     def package(self, scope: Scope) -> Instance:
@@ -118,6 +109,10 @@ class Instantiator:
                 stack.extend([(m, depth + 1) for m in member.members.values() if not isinstance(m, Leaf)])
             elif isinstance(member, Array):
                 stack.extend([(m, depth + 1) for m in member.items if not isinstance(m, Leaf)])
+            elif isinstance(member, Outer) and member.own is not None:
+                stack.append((member.own, depth))
+            if not stack:
+                stack = [(m, 1) for m in self._automatic.added_to(root)]
         return root
 
     # ------------------------------------------------------------------ types
@@ -161,11 +156,23 @@ class Instantiator:
         path = f"{instance.path}.{entry.name}" if instance.path else entry.name
         clause, declaration = entry.clause, entry.declaration
         refuse_unsupported(clause, path)
-        if clause.prefixes.outer:
-            return self._outer(entry, instance, path)
         context = Context(entry.scope, instance)
         if declaration.condition is not None and not self._is_there(declaration.condition, context, path):
             return Absent(path, declaration.span)
+        if clause.prefixes.outer:
+            if not clause.prefixes.inner and not entry.own.is_empty:
+                raise outer_modified(path, entry.own.span)
+            if clause.prefixes.inner and instance.parent is None:
+                self._translation.warnings.append(no_outer_around(entry.name, declaration.span))
+                return self._declared(entry, instance, path)
+            target = self._inner_of(entry, instance, path)
+            own = self._declared(entry, instance, path) if clause.prefixes.inner else None
+            return Outer(path, target, declaration.span, own)
+        return self._declared(entry, instance, path)
+
+    def _declared(self, entry: ComponentEntry, instance: Instance, path: str) -> Member:
+        """The component that a declaration makes, with all modifiers that reach it."""
+        clause, declaration, context = entry.clause, entry.declaration, Context(entry.scope, instance)
         outside = self._outside(entry, instance, path)
         if outside.redeclaration is not None:
             plan, modifier = self._redeclared(entry, outside, context, path)
@@ -176,7 +183,7 @@ class Instantiator:
             for below in entry.below:
                 modifier = merge(modifier, bound(below, instance), path)
             prefixes = self._prefixes_of(entry, clause, instance)
-            plan = _Plan(path, clause, declaration, context, prefixes, self._type_of(entry))
+            plan = Plan(path, clause, declaration, context, prefixes, self._type_of(entry))
         return self._shaped(plan, modifier, instance, entry.name)
 
     def _is_there(self, condition: ast.Expression, context: Context, path: str) -> bool:
@@ -186,17 +193,49 @@ class Instantiator:
             raise fail(TypeProblem, "type.not-boolean", message, condition.span, names=[path])
         return value
 
-    def _outer(self, entry: ComponentEntry, instance: Instance, path: str) -> Outer:
-        """The `inner` component of this name in the nearest component around that has one (5.4)."""
+    def _inner_of(self, entry: ComponentEntry, instance: Instance, path: str) -> Member:
+        """The `inner` component of this name in the nearest component around that has one (5.4).
+
+        Where there is none, one is added at the top of the model.
+        """
         around = instance.parent
         while around is not None:
             candidate = around.scope.table.components.get(entry.name)
             if candidate is not None and candidate.clause.prefixes.inner:
                 target = self.member(around, entry.name)
-                assert target is not None
-                return Outer(path, target, entry.declaration.span)
+                found = around.members.get(entry.name)
+                own = found.own if isinstance(found, Outer) else target
+                assert own is not None
+                if not isinstance(own, Absent):
+                    self._check_inner(entry, own, path)
+                return own
+            if around.parent is None:
+                return self._automatic.inner(entry, around, path)
             around = around.parent
-        raise no_inner(entry.name, path, entry.declaration.span)
+        return self._automatic.inner(entry, instance, path)
+
+    def _check_inner(self, entry: ComponentEntry, target: Member, path: str) -> None:
+        """The type of an `inner` component must fit that of the `outer` one."""
+        if isinstance(target, Instance) and target.scope is not self._type_of(entry):
+            check_inner(path, target, self._type_of(entry), entry.declaration.span, self._types)
+
+    def automatic(self, entry: ComponentEntry, root: Instance) -> Member:
+        """An `inner` component that nobody declares, built from the declaration of an `outer` one."""
+        scope = self._type_of(entry)
+        plan = Plan(
+            entry.name,
+            entry.clause,
+            entry.declaration,
+            Context(entry.scope, root),
+            Prefixes(),
+            scope,
+        )
+        key = (root, entry.name)
+        self._building[key] = []
+        try:
+            return self._shaped(plan, NO_MODIFIER, root, entry.name)
+        finally:
+            del self._building[key]
 
     def _outside(self, entry: ComponentEntry, instance: Instance, path: str) -> Modifier:
         """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""
@@ -228,7 +267,7 @@ class Instantiator:
 
     def _redeclared(
         self, entry: ComponentEntry, outside: Modifier, context: Context, path: str
-    ) -> tuple[_Plan, Modifier]:
+    ) -> tuple[Plan, Modifier]:
         """The plan of a component that a modification redeclares, and its modifier (7.3)."""
         redeclaration, instance = outside.redeclaration, context.instance
         assert redeclaration is not None  # the caller has looked
@@ -251,7 +290,7 @@ class Instantiator:
         declaration = element.declarations[0]
         has_sizes = declaration.dimensions is not None or element.dimensions is not None
         sized = declaration if has_sizes else entry.declaration
-        plan = _Plan(
+        plan = Plan(
             path,
             element if has_sizes else entry.clause,
             ast.Declaration(entry.name, sized.dimensions, None, None, declaration.comment, declaration.span),
@@ -261,8 +300,10 @@ class Instantiator:
         )
         return plan, merge(beside, below, path)
 
-    def _shaped(self, plan: _Plan, modifier: Modifier, instance: Instance, name: str) -> Member:
+    def _shaped(self, plan: Plan, modifier: Modifier, instance: Instance, name: str) -> Member:
         simple = self._types.of(plan.type)
+        if simple is not None and self._constraint_of(plan.type) is not None:
+            self._overdetermined(plan)
         places = [(plan.declaration.dimensions, plan.context), (plan.clause.dimensions, plan.context)]
         if simple is not None:
             places += [(dimensions, Context(scope, None)) for dimensions, scope in simple.dimensions]
@@ -275,10 +316,25 @@ class Instantiator:
         def build(path: str, part: Modifier) -> Member:
             return self._element(plan, simple, path, part, instance)
 
-        return _array(plan, shape, simple, modifier, build)
+        return array_of(plan, shape, simple, modifier, build)
+
+    def _constraint_of(self, scope: Scope) -> Scope | None:
+        """The function `equalityConstraint` of an overdetermined class (9.4.1)."""
+        if scope not in self._constraints:
+            entry = None if scope.is_predefined else scope.find_class_entry("equalityConstraint")
+            self._constraints[scope] = None if entry is None else scope.nested(entry)
+        return self._constraints[scope]
+
+    def _overdetermined(self, plan: Plan) -> None:
+        """A variable of an overdetermined type is one node, together with the dimensions of the type."""
+        function = self._constraint_of(plan.type)
+        if plan.declaration.dimensions is not None or plan.clause.dimensions is not None:
+            raise unsupported_overdetermined(plan.path, plan.declaration.span)
+        assert function is not None
+        self.overdetermined[plan.path] = function
 
     def _element(
-        self, plan: _Plan, simple: SimpleType | None, path: str, modifier: Modifier, instance: Instance
+        self, plan: Plan, simple: SimpleType | None, path: str, modifier: Modifier, instance: Instance
     ) -> Member:
         self._count += 1
         if self._count > MAX_MEMBERS:
@@ -287,7 +343,7 @@ class Instantiator:
             return self._leaf(plan, simple, path, modifier)
         return self._component(plan, path, modifier, instance)
 
-    def _leaf(self, plan: _Plan, simple: SimpleType, path: str, modifier: Modifier) -> Leaf:
+    def _leaf(self, plan: Plan, simple: SimpleType, path: str, modifier: Modifier) -> Leaf:
         prefixes = plan.prefixes
         if simple.causality is not prefixes.causality and prefixes.causality is Causality.LOCAL:
             prefixes = with_causality(prefixes, simple.causality)
@@ -314,7 +370,7 @@ class Instantiator:
             found = self._attributes[key] = with_attributes(simple, modifier, path)
         return found
 
-    def _component(self, plan: _Plan, path: str, modifier: Modifier, parent: Instance) -> Instance:
+    def _component(self, plan: Plan, path: str, modifier: Modifier, parent: Instance) -> Instance:
         scope = plan.type.modified(modifier)
         check_instantiable(scope, path, plan.clause.type.span)
         self.check_redeclared(scope)
@@ -322,69 +378,14 @@ class Instantiator:
             modifier = merge(modifier, bound(plan.type.modifier, parent), path)
         if isinstance(scope.definition, ast.LongClass) and not scope.below.is_empty:
             modifier = merge(modifier, bound(scope.below, parent), path)
-        _check_targets(scope, modifier)
-        modifier = _spread_record(modifier, scope)
+        check_targets(scope, modifier)
+        if scope.kind == "record":
+            constraint = self._constraint_of(scope)
+            if constraint is not None:
+                self.overdetermined[path] = constraint
+        modifier = spread_record(modifier, scope)
         prefixes = inherit_kind(plan.prefixes, scope)
         description = plan.declaration.comment.text or ""
         if path.count(".") > MAX_DEPTH:
             raise too_deep(parent, MAX_DEPTH)
         return Instance(path, scope, parent, prefixes, plan.declaration.span, description, modifier)
-
-
-def _array(
-    plan: _Plan,
-    shape: tuple[int, ...],
-    simple: SimpleType | None,
-    modifier: Modifier,
-    build: Callable[[str, Modifier], Member],
-) -> Array:
-    """The elements, row by row; what array types say of all their elements is added where those begin."""
-    items: list[Member] = []
-    spread = () if simple is None else simple.spread
-
-    def fill(index: str, part: Modifier, depth: int) -> None:
-        for inner, rank in spread:
-            if depth == len(shape) - rank:
-                part = merge(part, inner, plan.path)
-        if depth == len(shape):
-            items.append(build(f"{plan.path}[{index}]", part))
-            return
-        for i in range(shape[depth]):
-            fill(f"{index},{i + 1}" if index else str(i + 1), element_of(part, i, shape[depth]), depth + 1)
-
-    fill("", modifier, 0)
-    scalar = None if simple is None else simple.scalar
-    return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
-
-
-def _check_targets(scope: Scope, modifier: Modifier) -> None:
-    for name, child in modifier.children.items():
-        if name not in scope.table.components and scope.find_local(name) is None:
-            raise unknown_target(name, scope, child.span or scope.span)
-
-
-def description_of(scope: Scope) -> str:
-    """The description string of a class."""
-    definition = scope.definition
-    if isinstance(definition, ast.LongClass):
-        return definition.comment or ""
-    return definition.comment.text or ""
-
-
-def _spread_record(modifier: Modifier, scope: Scope) -> Modifier:
-    """A record's value becomes the value of each field that has none written beside it or further out."""
-    if modifier.binding is None or scope.kind != "record":
-        return modifier
-    children = dict(modifier.children)
-    for name, entry in scope.table.components.items():
-        child = children.get(name, NO_MODIFIER)
-        stays = child.binding is not None and (modifier.beside is None or name in modifier.beside)
-        is_constant = entry.clause.variability == "constant" or entry.clause.prefixes.final
-        if not stays and not is_constant:
-            part = Modifier(binding=modifier.binding.part(name), span=modifier.span)
-            children[name] = merge(
-                part, Modifier(None, child.children, child.redeclaration, False, child.span)
-            )
-    return Modifier(
-        modifier.binding, children, modifier.redeclaration, modifier.final, modifier.span, modifier.beside
-    )

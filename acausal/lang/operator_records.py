@@ -18,6 +18,7 @@ from acausal.lang.library import ClassNode
 from acausal.lang.record_arrays import as_array, as_items
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Env, Translation
+from acausal.lang.value_calls import call_with
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, describe, shape_of
 
 _SAME_SHAPE = ("+", "-")
@@ -69,7 +70,7 @@ def unary_record(
     if len(found) > 1:
         raise _ambiguous(operator, (operand,), found, span)
     if found:
-        return _call(translation, found[0], (operand,), span, env)
+        return call_with(translation, found[0], (operand,), span, env)
     if not isinstance(operand, RecordArray):
         raise _no_operator(operator, (operand,), span)
     items = [unary_record(translation, operator, item, span, env) for item in operand.items]
@@ -83,7 +84,7 @@ def zero(translation: Translation, scope: Scope | None, span: Span, env: Env) ->
         name = "this record" if scope is None else f"`{scope.path}`"
         message = f"{name} has no operator '0', which is needed for an empty sum"
         raise type_error("operator.no-zero", message, span, "", () if scope is None else (scope.path,))
-    return _call(translation, found[0], (), span, env)
+    return call_with(translation, found[0], (), span, env)
 
 
 def sum_of_records(translation: Translation, value: AnyValue, span: Span, env: Env) -> AnyValue:
@@ -113,7 +114,7 @@ def _matching(
     if len(found) > 1:
         raise _ambiguous(name, operands, found, span)
     if found:
-        return _call(translation, found[0], operands, span, env)
+        return call_with(translation, found[0], operands, span, env)
     converted = [
         *_conversions(translation, mine, left, right, 1),
         *_conversions(translation, theirs, right, left, 0),
@@ -123,8 +124,8 @@ def _matching(
     if not converted:
         return None
     function, constructor, position = converted[0]
-    changed = _call(translation, constructor, (operands[position],), span, env)
-    return _call(translation, function, (left, changed) if position else (changed, right), span, env)
+    changed = call_with(translation, constructor, (operands[position],), span, env)
+    return call_with(translation, function, (left, changed) if position else (changed, right), span, env)
 
 
 def _conversions(
@@ -228,7 +229,7 @@ def _overloaded(
         raise _ambiguous(name, operands, found, node.span)
     if not found:
         raise _no_operator(name, operands, node.span)
-    return _call(translation, found[0], values, node.span, env, named)
+    return call_with(translation, found[0], values, node.span, env, named)
 
 
 # --------------------------------------------------------------------------- matching
@@ -252,32 +253,6 @@ def _fits(
         return False
     pairs = [*zip(formals, values, strict=False), *[(f, named[f.name]) for f in rest if f.name in named]]
     return all(formal.takes(value, spread=spread) for formal, value in pairs)
-
-
-def _call(
-    translation: Translation,
-    function: Scope,
-    arguments: Sequence[AnyValue],
-    span: Span,
-    env: Env,
-    named: Mapping[str, AnyValue] | None = None,
-) -> AnyValue:
-    """The result of a function of values: they get names that no Modelica text can have."""
-    given = {f"#{i}": value for i, value in enumerate(arguments)}
-    by_name = {f"#{name}": (name, value) for name, value in (named or {}).items()}
-    local = {**given, **{key: value for key, (_, value) in by_name.items()}}
-    call = ast.Call(
-        _reference(function.path, span),
-        tuple([_reference(key, span) for key in given]),
-        tuple([ast.NamedArgument(name, _reference(key, span), span) for key, (name, _) in by_name.items()]),
-        (),
-        span,
-    )
-    return translation.call(function, call, Env(env.context, local, None, env.depth))[0]
-
-
-def _reference(name: str, span: Span) -> ast.ComponentReference:
-    return ast.ComponentReference((ast.NamePart(name, None, span),), False, span)
 
 
 # --------------------------------------------------------------------------- errors

@@ -18,13 +18,15 @@ from acausal.lang.arithmetic import (
 from acausal.lang.array_functions import Builtin
 from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
 from acausal.lang.builtins import BUILTINS, NOT_YET
+from acausal.lang.connection_calls import CONNECTION_CALLS
 from acausal.lang.flat import INTEGER, REAL, Variability
 from acausal.lang.formals import Formal
 from acausal.lang.functions import call_function, construct_record
-from acausal.lang.instance import Leaf
+from acausal.lang.instance import Instance, Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
 from acausal.lang.modifiers import Binding, Context
+from acausal.lang.network import Network
 from acausal.lang.operations import binary_value, if_value
 from acausal.lang.operator_records import construct, sum_of_records, text_of, unary_record
 from acausal.lang.parameter_errors import (
@@ -37,7 +39,7 @@ from acausal.lang.parameter_errors import (
 )
 from acausal.lang.record_arrays import REARRANGING, rearranged
 from acausal.lang.references import member_value, resolve
-from acausal.lang.scope import Root, Scope
+from acausal.lang.scope import FoundComponent, Root, Scope
 from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import subscripted
 from acausal.lang.translation import Env
@@ -57,15 +59,29 @@ class Translator:
 
     def __init__(self, root: Root) -> None:
         self.root = root
+        self.warnings: list[Diagnostic] = []
         self.instances = Instantiator(self)
         self.leaves: dict[str, Leaf] = {}
         self.formals: dict[Scope, tuple[Formal, ...]] = {}
         self.structural: dict[str, None] = {}
-        self.warnings: list[Diagnostic] = []
+        self._network: Network | None = None
         self._values: dict[str, Constant] = {}
         self._constants: dict[Leaf, Constant] = {}
         self._busy: dict[Leaf, None] = {}
         self._steps = 0
+        self._hidden: dict[tuple[Scope, str], bool] = {}
+
+    def start(self, root: Instance) -> Network:
+        """The model is complete: from now on its connections can be asked for."""
+        self._network = Network(self, root, self.instances.overdetermined)
+        return self._network
+
+    def network(self, span: Span) -> Network:
+        """The connections of the model. Raises `connections.too-early` while it is being built."""
+        if self._network is None:
+            message = "this depends on connections, which are not known while components are built"
+            raise type_error("connections.too-early", message, span)
+        return self._network
 
     def note(self, leaf: Leaf) -> None:
         """Remember a scalar that an expression names, for `parameter_value`."""
@@ -280,11 +296,11 @@ class Translator:
             text = text_of(self, node, env)
             if text is not None:
                 return text
-        special = SPECIAL.get(name)
+        special = SPECIAL.get(name) or CONNECTION_CALLS.get(name)
         if special is not None:
             return special(self, node, env)
         builtin = BUILTINS.get(name)
-        if builtin is not None:
+        if builtin is not None and (node.function.global_ or not self._is_hidden(name, env)):
             if node.named:
                 raise type_error("call.arguments", f"`{name}` has no named arguments", node.span)
             return self._builtin(name, builtin, node, env)
@@ -292,6 +308,14 @@ class Translator:
             message = f"`{name}(...)` is not supported yet"
             raise fail(UnsupportedProblem, f"unsupported.{name}", message, node.span, names=[name])
         return self._user_call(node, env)
+
+    def _is_hidden(self, name: str, env: Env) -> bool:
+        """Whether a function of the model's own stands before the built-in one of its name (5.3)."""
+        key = (env.context.scope, name)
+        found = self._hidden.get(key)
+        if found is None:
+            found = self._hidden[key] = _is_function(env.context.scope.find(name))
+        return found
 
     def _builtin(self, name: str, builtin: Builtin, node: ast.Call, env: Env) -> AnyValue:
         """A built-in function of values; some take records too."""
@@ -328,3 +352,7 @@ class Translator:
         if env.depth == 0:
             self._steps = 0
         return call_function(self, scope, node, env)
+
+
+def _is_function(found: FoundComponent | Scope | None) -> bool:
+    return isinstance(found, Scope) and found.kind == "function"

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING, Protocol
 
-from acausal.errors import Span
+from acausal.errors import Diagnostic, Span
 from acausal.lang import ast
 from acausal.lang.instance import Instance, Leaf, Member
 from acausal.lang.light import light_object
@@ -22,6 +22,7 @@ from acausal.symbolic.expressions.expr import Constant, Expr
 
 if TYPE_CHECKING:
     from acausal.lang.formals import Formal
+    from acausal.lang.network import Network
 
 
 @light_object
@@ -71,6 +72,15 @@ class Translation(Protocol):
 
     @property
     def instances(self) -> Instances: ...
+
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """What was noticed so far that is no error."""
+        ...
+
+    def network(self, span: Span) -> Network:
+        """The connections of the model as a whole. Raises while the model is still being built."""
+        ...
 
     @property
     def formals(self) -> dict[Scope, tuple[Formal, ...]]:

@@ -202,6 +202,12 @@ def _doubtful(_node: Expr, args: list[Measure]) -> Measure:
     return args[0] if args[0].unit is None else Measure(args[0].unit)
 
 
+def _root(node: Expr, args: list[Measure]) -> Measure:
+    """The root of a sum is doubtful: magnitudes come from functions whose results declare no unit."""
+    measure = _power(args[0], Fraction(1, 2))
+    return measure if node.args[0].op != "add" else Measure(measure.unit)
+
+
 def _number(_node: Expr, _args: list[Measure]) -> Measure:
     return NUMBER
 
@@ -216,6 +222,6 @@ _OTHER: dict[str, Callable[[Expr, list[Measure]], Measure]] = {
     **dict.fromkeys(("floor", "ceil", "mod", "rem"), _doubtful),
     **dict.fromkeys(("sign", "integer", "idiv"), _number),
     "der": _derivative,
-    "sqrt": lambda _node, args: _power(args[0], Fraction(1, 2)),
+    "sqrt": _root,
     "pow": _general_power,
 }

@@ -1,0 +1,86 @@
+"""A component about to be built, and what its modifier says about its elements and fields."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from acausal.lang import ast
+from acausal.lang.formals import record_class
+from acausal.lang.instance import Array, Member, Prefixes
+from acausal.lang.light import light_object
+from acausal.lang.lookup_errors import unknown_target
+from acausal.lang.modifiers import NO_MODIFIER, Context, Modifier, element_of, merge
+from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleType
+
+
+@light_object
+class Plan:
+    """A component about to be built, an array before its elements."""
+
+    path: str
+    clause: ast.ComponentClause
+    declaration: ast.Declaration
+    context: Context
+    prefixes: Prefixes
+    type: Scope
+
+
+def array_of(
+    plan: Plan,
+    shape: tuple[int, ...],
+    simple: SimpleType | None,
+    modifier: Modifier,
+    build: Callable[[str, Modifier], Member],
+) -> Array:
+    """The elements, row by row; what array types say of all their elements is added where those begin."""
+    items: list[Member] = []
+    spread = () if simple is None else simple.spread
+
+    def fill(index: str, part: Modifier, depth: int) -> None:
+        for inner, rank in spread:
+            if depth == len(shape) - rank:
+                part = merge(part, inner, plan.path)
+        if depth == len(shape):
+            items.append(build(f"{plan.path}[{index}]", part))
+            return
+        for i in range(shape[depth]):
+            fill(f"{index},{i + 1}" if index else str(i + 1), element_of(part, i, shape[depth]), depth + 1)
+
+    fill("", modifier, 0)
+    scalar = None if simple is None else simple.scalar
+    return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
+
+
+def check_targets(scope: Scope, modifier: Modifier) -> None:
+    """Every modification must address an element of the class. Raises `lookup.unknown-modified-element`."""
+    for name, child in modifier.children.items():
+        if name not in scope.table.components and scope.find_local(name) is None:
+            raise unknown_target(name, scope, child.span or scope.span)
+
+
+def description_of(scope: Scope) -> str:
+    """The description string of a class."""
+    definition = scope.definition
+    if isinstance(definition, ast.LongClass):
+        return definition.comment or ""
+    return definition.comment.text or ""
+
+
+def spread_record(modifier: Modifier, scope: Scope) -> Modifier:
+    """A record's value becomes the value of each field that has none written beside it or further out."""
+    if modifier.binding is None or record_class(scope).kind != "record":
+        return modifier
+    children = dict(modifier.children)
+    for name, entry in scope.table.components.items():
+        child = children.get(name, NO_MODIFIER)
+        stays = child.binding is not None and (modifier.beside is None or name in modifier.beside)
+        is_constant = entry.clause.variability == "constant" or entry.clause.prefixes.final
+        if not stays and not is_constant:
+            part = Modifier(binding=modifier.binding.part(name), span=modifier.span)
+            children[name] = merge(
+                part, Modifier(None, child.children, child.redeclaration, False, child.span)
+            )
+    return Modifier(
+        modifier.binding, children, modifier.redeclaration, modifier.final, modifier.span, modifier.beside
+    )
