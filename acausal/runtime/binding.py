@@ -1,0 +1,180 @@
+"""`acausal_runtime.h` for `ctypes`: the structures field by field, and the functions with their types."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, Structure, c_double, c_int, c_longlong, c_void_p
+
+from acausal.runtime.build import run_time
+
+REACHED, ROWS, EVENT, PAUSE, VIOLATED = range(5)
+NOT_FINITE, STEP_TOO_SMALL, TOO_MANY_STEPS, SINGULAR, MEMORY, ROW_NOT_FINITE = range(-1, -7, -1)
+
+METHODS = {
+    name: number
+    for number, name in enumerate(("rodas", "euler", "ab2", "heun", "rk3", "dopri5", "lieuler", "rosenbrock"))
+}
+"""The methods' numbers in the run-time; all but the first step with a fixed length."""
+
+FILL = ctypes.CFUNCTYPE(None, c_double)
+CLOCK = ctypes.CFUNCTYPE(c_double)
+
+_DOUBLES, _INTS = c_void_p, c_void_p
+
+
+def _pointers(names: str) -> list[tuple[str, type[c_void_p]]]:
+    return [(name, c_void_p) for name in names.split()]
+
+
+def _typed(names: str, of: type[c_int | c_double | c_longlong]) -> list[tuple[str, type]]:
+    return [(name, of) for name in names.split()]
+
+
+class FunctionStructure(Structure):
+    """`ac_function`."""
+
+    entry: int | None
+    machine: int | None
+    self: int | None
+    arg: int
+    res: int
+    iw: int
+    w: int
+    _fields_ = [*_pointers("entry machine self arg res iw w")]  # noqa: RUF012
+
+
+class ModelStructure(Structure):
+    """`ac_model`."""
+
+    states: int
+    crossings: int
+    guesses: int
+    outputs: int
+    conditions: int
+    entries: int
+    t: int
+    x: int
+    guess: int
+    z: int
+    xdot: int
+    jacobian: int
+    rate: int
+    roots: int
+    sizes: int
+    row: int
+    ok: int
+    ode: FunctionStructure
+    jac: FunctionStructure
+    derivative: FunctionStructure
+    events: FunctionStructure
+    scales: FunctionStructure
+    output: FunctionStructure
+    assertions: FunctionStructure
+    fill: int | None
+    autonomous: int
+    exact_rate: int
+    evaluations: int
+    jacobians: int
+    _fields_ = [  # noqa: RUF012
+        *_typed("states crossings guesses outputs conditions entries", c_int),
+        *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
+        *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
+        *_pointers("fill"),
+        *_typed("autonomous exact_rate", c_int),
+        *_typed("evaluations jacobians", c_longlong),
+    ]
+
+
+class LuStructure(Structure):
+    """`ac_lu`."""
+
+    n: int
+    capacity: int
+    ap: int
+    ai: int
+    q: int
+    searches: int
+    repeats: int
+    _fields_ = [  # noqa: RUF012
+        *_typed("n capacity", c_int),
+        *_pointers("ap ai q ax pinv lp li up ui lx ux ud work mark stack place reach"),
+        *_typed("factored", c_int),
+        *_typed("searches repeats", c_longlong),
+    ]
+
+
+class SolverStructure(Structure):
+    """`ac_solver`."""
+
+    model: int
+    method: int
+    locate: int
+    rtol: float
+    atol: int
+    nominal: int
+    min_step: float
+    max_step: float
+    step: float
+    origin: float
+    sample: float
+    max_steps: int
+    clock: int | None
+    jmap: int
+    diagonal: int
+    t: float
+    t0: float
+    t1: float
+    h: float
+    t_bad: float
+    x: int
+    x_bad: int
+    crossed: int
+    lu: LuStructure
+    index: int
+    steps: int
+    rejected: int
+    failures: int
+    longest: float
+    influence: int
+    error_failures: int
+    convergence_failures: int
+    _fields_ = [  # noqa: RUF012
+        *_pointers("model"),
+        *_typed("method locate", c_int),
+        *_typed("rtol", c_double),
+        *_pointers("atol nominal"),
+        *_typed("min_step max_step step origin sample", c_double),
+        *_typed("max_steps", c_longlong),
+        *_pointers("clock jmap diagonal"),
+        *_typed("t t0 t1 h t_bad", c_double),
+        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 stage k x_bad scale ratio error"),
+        *_pointers("side slack g_old g_new g_try g_mid crossed"),
+        *_typed("have_step have_f0 have_old have_jacobian first last_rejected", c_int),
+        *_typed("h_next h_accepted err_accepted h_old", c_double),
+        *_typed("index", c_longlong),
+        ("lu", LuStructure),
+        *_typed("steps rejected failures", c_longlong),
+        *_typed("longest", c_double),
+        *_pointers("influence error_failures convergence_failures"),
+    ]
+
+
+class RunTime:
+    """The run-time's functions; `library` compiles it when it is first needed on a machine."""
+
+    def __init__(self) -> None:
+        library = run_time()
+        solver = POINTER(SolverStructure)
+        self.doubles = library.ac_doubles
+        self.doubles.argtypes, self.doubles.restype = [c_int] * 4, c_int
+        self.ints = library.ac_ints
+        self.ints.argtypes, self.ints.restype = [c_int] * 3, c_int
+        self.init = library.ac_init
+        self.init.argtypes, self.init.restype = [solver, _DOUBLES, _INTS, c_int], None
+        self.restart = library.ac_restart
+        self.restart.argtypes, self.restart.restype = [solver, c_double, _DOUBLES, _DOUBLES], c_int
+        self.sweep = library.ac_sweep
+        self.sweep.argtypes = [solver, _DOUBLES, c_int, c_double, c_longlong, _DOUBLES, _INTS]
+        self.sweep.restype = c_int
+        self.sizes = library.ac_sizes
+        self.sizes.argtypes, self.sizes.restype = [_INTS], None

@@ -1,0 +1,188 @@
+"""C text to a shared library: compiled by the system's compiler once, kept by content, loaded with `ctypes`.
+
+The cache is a directory of our own that nobody else may write to (mode 0700, owned by the user): `ACAUSAL_CACHE`,
+else `acausal` in `XDG_CACHE_HOME` or `~/.cache`; where none can be had, a temporary one for this process. A
+library's name is the SHA-256 of its sources, of the compiler and of the flags; beside it stands the SHA-256 of
+its bytes, which is checked before it is loaded. Both are written under other names and renamed, so that what
+is there is whole. What does not fit is compiled again.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+
+from acausal.errors import UnsupportedProblem, fail
+
+_FLAGS = ("-std=c99", "-fPIC", "-shared", "-ffp-contract=off")
+"""Products and sums are rounded one by one, as CasADi's virtual machine does it."""
+_TIMEOUT = 600.0
+_SUFFIX = ".dylib" if sys.platform == "darwin" else ".so"
+
+
+@dataclass(frozen=True)
+class Compiler:
+    """An executable, and what tells it from others: its path, size and time of change."""
+
+    path: str
+    identity: str
+
+
+@cache
+def _found(wanted: str, search: str) -> Compiler | None:
+    for name in (wanted,) if wanted else ("cc", "gcc", "clang"):
+        path = shutil.which(name, path=search)
+        if path is not None:
+            status = os.stat(path)
+            identity = f"{os.path.realpath(path)} {status.st_size} {status.st_mtime_ns} {platform.machine()}"
+            return Compiler(path, identity)
+    return None
+
+
+def compiler() -> Compiler | None:
+    """The system's C compiler: `ACAUSAL_CC`, else `cc`, `gcc`, `clang`; None where there is none.
+
+    `ACAUSAL_CC=none` does without. Not on Windows, where the run-time is not built.
+    """
+    wanted = os.environ.get("ACAUSAL_CC", "")
+    if wanted == "none" or sys.platform == "win32":
+        return None
+    return _found(wanted, os.environ.get("PATH", os.defpath))
+
+
+@cache
+def cache_directory(wanted: str = "") -> Path:
+    """The directory that compiled libraries are kept in; see the module's text."""
+    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    path = Path(wanted) if wanted else Path(base) / "acausal"
+    try:
+        path.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if _is_private(path) and os.access(path, os.W_OK):
+            return path
+    except OSError:
+        pass
+    return Path(tempfile.mkdtemp(prefix="acausal-"))
+
+
+def _is_private(path: Path) -> bool:
+    """Whether it is a directory of this user's that nobody else can write to."""
+    status = os.lstat(path)
+    own = not hasattr(os, "getuid") or status.st_uid == os.getuid()
+    return stat.S_ISDIR(status.st_mode) and own and not status.st_mode & 0o077
+
+
+@dataclass(frozen=True)
+class Sources:
+    """C files by name, of which `.c` are compiled; `level` is the optimisation and `link` more flags."""
+
+    files: Mapping[str, str]
+    level: str = "-O2"
+    link: tuple[str, ...] = ()
+
+
+def _key(sources: Sources, tool: Compiler) -> str:
+    text = [tool.identity, sources.level, *_FLAGS, *sources.link]
+    for name, content in sources.files.items():
+        text += [name, content]
+    return sha256("\0".join(text).encode()).hexdigest()
+
+
+def cached(sources: Sources) -> Path | None:
+    """The whole library of these sources in the cache, if there is one."""
+    tool = compiler()
+    if tool is None:
+        return None
+    library = _directory() / f"{_key(sources, tool)}{_SUFFIX}"
+    return library if _is_whole(library) else None
+
+
+def _directory() -> Path:
+    return cache_directory(os.environ.get("ACAUSAL_CACHE", ""))
+
+
+def _is_whole(library: Path) -> bool:
+    """Whether the library is this user's regular file with the bytes that were written."""
+    try:
+        status = os.lstat(library)
+        own = not hasattr(os, "getuid") or status.st_uid == os.getuid()
+        if not (stat.S_ISREG(status.st_mode) and own and _is_private(library.parent)):
+            return False
+        expected = library.with_suffix(".sha256").read_text(encoding="ascii").strip()
+        return sha256(library.read_bytes()).hexdigest() == expected
+    except (OSError, ValueError):
+        return False
+
+
+def build(sources: Sources) -> Path:
+    """The library of these sources, from the cache or compiled now.
+
+    Raises `UnsupportedProblem`: `runtime.compiler` without a compiler, `runtime.compile` where it fails.
+    """
+    tool = compiler()
+    if tool is None:
+        raise fail(
+            UnsupportedProblem,
+            "runtime.compiler",
+            "there is no C compiler",
+            hint="install gcc or clang, or choose a solver that needs none (cvode)",
+        )
+    directory = _directory()
+    library = directory / f"{_key(sources, tool)}{_SUFFIX}"
+    if _is_whole(library):
+        return library
+    with tempfile.TemporaryDirectory(prefix="build-", dir=directory) as folder:
+        made = _compile(sources, tool, Path(folder))
+        digest = Path(folder) / "digest"
+        digest.write_text(sha256(made.read_bytes()).hexdigest() + "\n", encoding="ascii")
+        os.replace(made, library)
+        os.replace(digest, library.with_suffix(".sha256"))
+    return library
+
+
+def _compile(sources: Sources, tool: Compiler, folder: Path) -> Path:
+    for name, content in sources.files.items():
+        (folder / name).write_text(content, encoding="utf-8")
+    made = folder / f"library{_SUFFIX}"
+    units = [name for name in sources.files if name.endswith(".c")]
+    command = [tool.path, sources.level, *_FLAGS, *units, "-o", made.name, *sources.link, "-lm"]
+    try:
+        run = subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, timeout=_TIMEOUT, check=False
+        )
+        problem = "" if run.returncode == 0 else (run.stderr.strip().splitlines() or ["it says nothing"])[0]
+    except (OSError, subprocess.TimeoutExpired) as found:
+        problem = str(found)
+    if problem:
+        message = f"the C compiler `{tool.path}` failed: {problem[:200]}"
+        raise fail(UnsupportedProblem, "runtime.compile", message, hint="ACAUSAL_CC=none does without it")
+    return made
+
+
+@cache
+def load(library: Path) -> ctypes.CDLL:
+    """The library, loaded once."""
+    return ctypes.CDLL(str(library))
+
+
+@cache
+def run_time_sources() -> Sources:
+    """The fixed C files of the run-time, as they stand in the package."""
+    folder = Path(__file__).parent
+    names = sorted(path.name for path in folder.iterdir() if path.suffix in (".c", ".h"))
+    return Sources({name: (folder / name).read_text(encoding="utf-8") for name in names})
+
+
+def run_time() -> ctypes.CDLL:
+    """The run-time, compiled when it is first needed on a machine. Raises as `build` does."""
+    return load(build(run_time_sources()))

@@ -1,0 +1,204 @@
+/* Steps of one length. Explicit methods keep f at the end of a step as f at the beginning of the next. */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "acausal_runtime.h"
+
+/* Dormand and Prince, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980). */
+static const double dopri_a[6][6] = {
+    {0, 0, 0, 0, 0, 0},
+    {1.0 / 5.0, 0, 0, 0, 0, 0},
+    {3.0 / 40.0, 9.0 / 40.0, 0, 0, 0, 0},
+    {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0, 0, 0},
+    {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0, 0},
+    {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0}};
+static const double dopri_c[6] = {0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1};
+static const double dopri_b[6] = {35.0 / 384.0, 0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0};
+
+static int at(ac_solver *s, double t, double *out)
+{
+    int code = ac_slope(s->model, t, s->stage, out);
+    if (code != 0) {
+        ac_note_bad(s, t, s->stage);
+    }
+    return code;
+}
+
+static int dopri(ac_solver *s, double h)
+{
+    int n = s->model->states;
+    memcpy(s->k, s->f0, (size_t)n * sizeof(double));
+    for (int stage = 1; stage < 6; stage++) {
+        for (int i = 0; i < n; i++) {
+            double sum = 0.0;
+            for (int j = 0; j < stage; j++) {
+                sum += dopri_a[stage][j] * s->k[j * n + i];
+            }
+            s->stage[i] = s->x0[i] + h * sum;
+        }
+        int code = at(s, s->t0 + dopri_c[stage] * h, s->k + stage * n);
+        if (code != 0) {
+            return code;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        double sum = 0.0;
+        for (int j = 0; j < 6; j++) {
+            sum += dopri_b[j] * s->k[j * n + i];
+        }
+        s->x1[i] = s->x0[i] + h * sum;
+    }
+    return 0;
+}
+
+/* Heun's third-order method: f at 0, h/3, 2h/3. */
+static int third_order(ac_solver *s, double h)
+{
+    int n = s->model->states;
+    double *k2 = s->k + n;
+    double *k3 = k2 + n;
+    for (int i = 0; i < n; i++) {
+        s->stage[i] = s->x0[i] + h / 3.0 * s->f0[i];
+    }
+    int code = at(s, s->t0 + h / 3.0, k2);
+    if (code != 0) {
+        return code;
+    }
+    for (int i = 0; i < n; i++) {
+        s->stage[i] = s->x0[i] + 2.0 * h / 3.0 * k2[i];
+    }
+    code = at(s, s->t0 + 2.0 * h / 3.0, k3);
+    for (int i = 0; code == 0 && i < n; i++) {
+        s->x1[i] = s->x0[i] + h * (0.25 * s->f0[i] + 0.75 * k3[i]);
+    }
+    return code;
+}
+
+static int heun(ac_solver *s, double h)
+{
+    int n = s->model->states;
+    for (int i = 0; i < n; i++) {
+        s->stage[i] = s->x0[i] + h * s->f0[i];
+    }
+    int code = at(s, s->t0 + h, s->k);
+    for (int i = 0; code == 0 && i < n; i++) {
+        s->x1[i] = s->x0[i] + 0.5 * h * (s->f0[i] + s->k[i]);
+    }
+    return code;
+}
+
+/* Adams and Bashforth's second-order method with the last two slopes; Heun's where there is only one. */
+static int two_step(ac_solver *s, double h)
+{
+    if (!s->have_old) {
+        return heun(s, h);
+    }
+    double ratio = 0.5 * h / s->h_old;
+    for (int i = 0; i < s->model->states; i++) {
+        s->x1[i] = s->x0[i] + h * ((1.0 + ratio) * s->f0[i] - ratio * s->f_old[i]);
+    }
+    return 0;
+}
+
+static int implicit(ac_solver *s, double h, const ac_rosenbrock *table)
+{
+    ac_model *m = s->model;
+    int code = 0;
+    if (!s->have_jacobian) {
+        code = ac_matrix(m, s->t0, s->x0);
+        code = code == 0 ? ac_rate(m, s->t0, s->x0, s->f0, h, s->ratio + m->entries) : code;
+        if (code != 0) {
+            ac_note_bad(s, s->t0, s->x0);
+            return code;
+        }
+        s->have_jacobian = 1;
+    }
+    code = ac_prepare(s, h, table->gamma);
+    return code == 0 ? ac_stages(s, table, h) : code;
+}
+
+/* x1 at t0 + h from x0 at t0 and f0 there. */
+int ac_explicit(ac_solver *s, double h)
+{
+    if (s->model->states == 0) {
+        return 0;
+    }
+    switch (s->method) {
+    case AC_AB2:
+        return two_step(s, h);
+    case AC_HEUN:
+        return heun(s, h);
+    case AC_RK3:
+        return third_order(s, h);
+    case AC_DOPRI5:
+        return dopri(s, h);
+    case AC_LIEULER:
+        return implicit(s, h, &ac_lieuler);
+    case AC_RODAS3:
+        return implicit(s, h, &ac_rodas3);
+    default:
+        for (int i = 0; i < s->model->states; i++) {
+            s->x1[i] = s->x0[i] + h * s->f0[i];
+        }
+        return 0;
+    }
+}
+
+/* Dense output by a cubic through both ends and slopes. */
+void ac_hermite(ac_solver *s)
+{
+    for (int i = 0; i < s->model->states; i++) {
+        double rise = s->x1[i] - s->x0[i];
+        s->k1[i] = s->h * s->f0[i] - rise;
+        s->k2[i] = rise - s->h * s->f1[i] - s->k1[i];
+        s->k3[i] = 0.0;
+    }
+}
+
+static int finished(ac_solver *s)
+{
+    int n = s->model->states;
+    int code = ac_finite(s->x1, n) ? ac_slope(s->model, s->t1, s->x1, s->f1) : AC_NOT_FINITE;
+    if (code != 0) {
+        ac_note_bad(s, s->t1, s->x1);
+        return code;
+    }
+    ac_hermite(s);
+    s->steps++;
+    return s->steps > s->max_steps ? AC_TOO_MANY_STEPS : 0;
+}
+
+/* One step from (t1, x1) to the next point of the grid origin + index step, or to `until` if that is nearer. */
+int ac_fixed_step(ac_solver *s, double until)
+{
+    int n = s->model->states;
+    size_t bytes = (size_t)n * sizeof(double);
+    if (s->have_f0 && s->have_step) {
+        memcpy(s->f_old, s->f0, bytes);
+        memcpy(s->f0, s->f1, bytes);
+        s->h_old = s->h;
+        s->have_old = 1;
+    }
+    s->t0 = s->t1;
+    memcpy(s->x0, s->x1, bytes);
+    if (!s->have_f0) {
+        int code = ac_slope(s->model, s->t0, s->x0, s->f0);
+        if (code != 0) {
+            ac_note_bad(s, s->t0, s->x0);
+            return code;
+        }
+        s->have_f0 = 1;
+        s->have_old = 0;
+    }
+    s->have_jacobian = 0;
+    double end = s->origin + (double)s->index * s->step;
+    while (end - s->t0 <= 1e-9 * s->step) {
+        s->index++;
+        end = s->origin + (double)s->index * s->step;
+    }
+    s->t1 = until - end > 1e-9 * s->step ? end : until;
+    s->h = s->t1 - s->t0;
+    int code = ac_explicit(s, s->h);
+    return code == 0 ? finished(s) : code;
+}

@@ -1,0 +1,148 @@
+/* The model's functions at a point. */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "acausal_runtime.h"
+
+int ac_call(const ac_function *f)
+{
+    if (f->entry != NULL) {
+        return f->entry(f->arg, f->res, f->iw, f->w, 0);
+    }
+    f->machine(f->self);
+    return 0;
+}
+
+int ac_finite(const double *v, int n)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += v[i] * 0.0;
+    }
+    return sum == 0.0;
+}
+
+static size_t bytes(int n)
+{
+    return (size_t)n * sizeof(double);
+}
+
+static void place(ac_model *m, double t, const double *x)
+{
+    m->t[0] = t;
+    if (m->states > 0) {
+        memcpy(m->x, x, bytes(m->states));
+    }
+    if (m->fill != NULL) {
+        m->fill(t);
+    }
+}
+
+/* Solves the implicit blocks at the point that is placed. What they find is the next guess. */
+static int solved(ac_model *m)
+{
+    m->evaluations++;
+    if (m->states > 0) {
+        m->xdot[0] = NAN;
+    }
+    if (m->guesses > 0) {
+        m->z[0] = NAN;
+    }
+    if (ac_call(&m->ode) != 0 || !ac_finite(m->xdot, m->states) || !ac_finite(m->z, m->guesses)) {
+        return AC_NOT_FINITE;
+    }
+    if (m->guesses > 0) {
+        memcpy(m->guess, m->z, bytes(m->guesses));
+    }
+    return 0;
+}
+
+int ac_slope(ac_model *m, double t, const double *x, double *f)
+{
+    place(m, t, x);
+    int code = solved(m);
+    if (code == 0 && m->states > 0) {
+        memcpy(f, m->xdot, bytes(m->states));
+    }
+    return code;
+}
+
+int ac_matrix(ac_model *m, double t, const double *x)
+{
+    place(m, t, x);
+    m->jacobians++;
+    if (m->entries == 0) {
+        return 0;
+    }
+    m->jacobian[0] = NAN;
+    if (ac_call(&m->jac) != 0 || !ac_finite(m->jacobian, m->entries)) {
+        return AC_NOT_FINITE;
+    }
+    return 0;
+}
+
+/* d xdot / d t, from its function or by a difference over a small part of `span` towards its end. */
+int ac_rate(ac_model *m, double t, const double *x, const double *f, double span, double *rate)
+{
+    if (m->autonomous) {
+        memset(rate, 0, bytes(m->states));
+        return 0;
+    }
+    if (m->exact_rate) {
+        place(m, t, x);
+        m->rate[0] = NAN;
+        if (ac_call(&m->derivative) != 0 || !ac_finite(m->rate, m->states)) {
+            return AC_NOT_FINITE;
+        }
+        memcpy(rate, m->rate, bytes(m->states));
+        return 0;
+    }
+    double delta = sqrt(2.2e-16 * fmax(1e-5, fabs(t)));
+    delta = fmin(delta, 0.5 * span);
+    double end = t + delta;
+    delta = end - t;
+    int code = delta > 0.0 ? ac_slope(m, end, x, rate) : AC_NOT_FINITE;
+    for (int i = 0; code == 0 && i < m->states; i++) {
+        rate[i] = (rate[i] - f[i]) / delta;
+    }
+    return code;
+}
+
+int ac_roots(ac_model *m, double t, const double *x, double *g)
+{
+    place(m, t, x);
+    if (m->guesses > 0 && solved(m) != 0) {
+        return AC_NOT_FINITE;
+    }
+    m->roots[0] = NAN;
+    int code = ac_call(&m->events) != 0 ? AC_NOT_FINITE : 0;
+    memcpy(g, m->roots, bytes(m->crossings));
+    return code;
+}
+
+int ac_row(ac_model *m, double t, const double *x, double *row)
+{
+    place(m, t, x);
+    int fine = m->guesses > 0 ? solved(m) == 0 : 1;
+    if (m->outputs > 0) {
+        m->row[0] = NAN;
+        fine = ac_call(&m->output) == 0 && fine && ac_finite(m->row, m->outputs);
+        memcpy(row, m->row, bytes(m->outputs));
+    }
+    if (!fine) {
+        return AC_ROW_NOT_FINITE;
+    }
+    if (m->conditions > 0) {
+        m->ok[0] = NAN;
+        if (ac_call(&m->assertions) != 0) {
+            return AC_VIOLATED;
+        }
+        for (int i = 0; i < m->conditions; i++) {
+            if (m->ok[i] != 1.0) {
+                return AC_VIOLATED;
+            }
+        }
+    }
+    return 0;
+}

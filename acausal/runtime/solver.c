@@ -1,0 +1,224 @@
+/* Starting, stepping over a grid of output times, and stopping at events. */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "acausal_runtime.h"
+
+enum { VECTORS = 16, ROOTS = 6 };
+
+int ac_doubles(int n, int m, int entries_w, int capacity)
+{
+    return (VECTORS + AC_MAX_STAGES) * n + ROOTS * m + 2 * entries_w + 2 * capacity + 2 * n;
+}
+
+int ac_ints(int n, int m, int capacity)
+{
+    return m + n + 2 * (n + 1) + 2 * capacity + 4 * n;
+}
+
+static double *take(double **from, int count)
+{
+    double *start = *from;
+    *from += count;
+    return start;
+}
+
+void ac_init(ac_solver *s, double *doubles, int *ints, int entries_w)
+{
+    const ac_model *m = s->model;
+    int n = m->states;
+    double **const vectors[] = {&s->x,  &s->x0, &s->x1,    &s->f0,    &s->f1,    &s->f_old, &s->k1,
+                                &s->k2, &s->k3, &s->stage, &s->x_bad, &s->scale, &s->error, &s->influence};
+    double **const roots[] = {&s->side, &s->slack, &s->g_old, &s->g_new, &s->g_try, &s->g_mid};
+    for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++) {
+        *vectors[i] = take(&doubles, n);
+    }
+    s->k = take(&doubles, AC_MAX_STAGES * n);
+    for (size_t i = 0; i < sizeof roots / sizeof roots[0]; i++) {
+        *roots[i] = take(&doubles, m->crossings);
+    }
+    s->ratio = take(&doubles, m->entries + n); /* the last n: d xdot / d t */
+    s->crossed = ints;
+    ints += m->crossings;
+    ac_lu_memory(&s->lu, &doubles, &ints, entries_w);
+    for (int j = 0, p = 0; j < n; j++) { /* entries of J come by columns, as those of W do */
+        for (; p < m->entries && s->jmap[p] < s->lu.ap[j + 1]; p++) {
+            s->ratio[p] = s->nominal[j] / s->nominal[s->lu.ai[s->jmap[p]]];
+        }
+    }
+    memset(s->influence, 0, (size_t)n * sizeof(double));
+    s->steps = s->rejected = s->failures = 0;
+    s->longest = 0.0;
+    s->have_step = 0;
+}
+
+void ac_note_bad(ac_solver *s, double t, const double *x)
+{
+    s->t_bad = t;
+    if (s->model->states > 0) {
+        memcpy(s->x_bad, x, (size_t)s->model->states * sizeof(double));
+    }
+}
+
+void ac_interpolate(const ac_solver *s, double t, double *x)
+{
+    int n = s->model->states;
+    if (t == s->t1) {
+        memcpy(x, s->x1, (size_t)n * sizeof(double));
+        return;
+    }
+    double theta = (t - s->t0) / (s->t1 - s->t0);
+    double rest = 1.0 - theta;
+    for (int i = 0; i < n; i++) {
+        double inner = s->k1[i] + theta * (s->k2[i] + theta * s->k3[i]);
+        x[i] = rest * s->x0[i] + theta * (s->x1[i] + rest * inner);
+    }
+}
+
+int ac_restart(ac_solver *s, double t, const double *x, const double *side)
+{
+    ac_model *m = s->model;
+    size_t bytes = (size_t)m->states * sizeof(double);
+    s->t = s->t0 = s->t1 = t;
+    if (m->states > 0) {
+        memcpy(s->x, x, bytes);
+        memcpy(s->x1, x, bytes);
+    }
+    s->have_step = s->have_f0 = s->have_old = s->have_jacobian = 0;
+    s->first = 1;
+    s->last_rejected = 0;
+    s->err_accepted = 1e-2;
+    if (m->crossings == 0) {
+        return 0;
+    }
+    memcpy(s->side, side, (size_t)m->crossings * sizeof(double));
+    int code = ac_roots(m, t, x, s->g_old);
+    if (code == 0) {
+        code = ac_call(&m->scales) != 0 ? AC_NOT_FINITE : 0;
+    }
+    if (code != 0) {
+        ac_note_bad(s, t, x);
+        return code;
+    }
+    for (int i = 0; i < m->crossings; i++) {
+        double away = s->side[i] * s->g_old[i];
+        int clear = away > 1e-11 * m->sizes[i];
+        s->slack[i] = clear ? 0.0 : fmax(2.0 * fabs(away), 1e-9 * m->sizes[i]);
+        if (s->side[i] != 0.0 && !isfinite(away)) {
+            code = AC_NOT_FINITE;
+        }
+    }
+    return code;
+}
+
+/* A fixed step is made again up to the crossing inside it. */
+static int shortened(ac_solver *s)
+{
+    if (s->t >= s->t1) {
+        memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
+        return 0;
+    }
+    if (s->method == AC_RODAS5P) {
+        ac_interpolate(s, s->t, s->x);
+        return 0;
+    }
+    double end = s->t1;
+    s->t1 = s->t;
+    s->h = s->t1 - s->t0;
+    int code = ac_explicit(s, s->h);
+    if (code == 0 && !ac_finite(s->x1, s->model->states)) {
+        code = AC_NOT_FINITE;
+    }
+    if (code == 0) {
+        code = ac_slope(s->model, s->t1, s->x1, s->f1);
+    }
+    if (code != 0) {
+        ac_note_bad(s, end, s->x0);
+        return code;
+    }
+    ac_hermite(s);
+    memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
+    return 0;
+}
+
+/* The next step and what it crosses: 0, AC_EVENT or an error. */
+static int moved(ac_solver *s, double until)
+{
+    double began = s->clock != NULL ? s->clock() : 0.0;
+    int code = s->method == AC_RODAS5P ? ac_variable_step(s, until) : ac_fixed_step(s, until);
+    if (code != 0) {
+        return code;
+    }
+    s->have_step = 1;
+    s->t = s->t1;
+    code = ac_search(s);
+    if (code == AC_EVENT) {
+        int problem = shortened(s);
+        code = problem != 0 ? problem : code;
+    }
+    if (s->clock != NULL) {
+        s->longest = fmax(s->longest, s->clock() - began);
+    }
+    return code;
+}
+
+/* Rows at the grid points up to `t`. */
+static int written(ac_solver *s, const double *grid, int count, double *rows, int *filled)
+{
+    while (*filled < count && grid[*filled] <= s->t) {
+        double *row = rows + (size_t)*filled * (size_t)s->model->outputs;
+        if (s->have_step) {
+            ac_interpolate(s, grid[*filled], s->stage);
+        } else {
+            memcpy(s->stage, s->x1, (size_t)s->model->states * sizeof(double));
+        }
+        int code = ac_row(s->model, grid[*filled], s->stage, row);
+        (*filled)++;
+        if (code != 0) {
+            ac_note_bad(s, grid[*filled - 1], s->stage);
+            return code;
+        }
+    }
+    return 0;
+}
+
+int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled)
+{
+    int event = 0;
+    *filled = 0;
+    for (;;) {
+        int code = written(s, grid, count, rows, filled);
+        if (code != 0) {
+            return code;
+        }
+        if (event) {
+            return AC_EVENT;
+        }
+        if (s->t >= until) {
+            break;
+        }
+        if (count > 0 && *filled == count) {
+            return AC_ROWS;
+        }
+        if (budget-- <= 0) {
+            return AC_PAUSE;
+        }
+        code = moved(s, until);
+        if (code != 0 && code != AC_EVENT) {
+            return code;
+        }
+        event = code == AC_EVENT;
+    }
+    memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
+    return AC_REACHED;
+}
+
+/* The sizes of the structures, for whoever mirrors them. */
+void ac_sizes(int *sizes)
+{
+    sizes[0] = (int)sizeof(ac_function);
+    sizes[1] = (int)sizeof(ac_model);
+    sizes[2] = (int)sizeof(ac_lu);
+    sizes[3] = (int)sizeof(ac_solver);
+}
