@@ -153,7 +153,10 @@ class CompiledModel:
         atol: float | None = None,
         max_step: float | None = None,
         interval: float | None = None,
-        solver: str = "cvode",
+        solver: str = "auto",
+        step: float | None = None,
+        events: str = "locate",
+        compiled: bool | None = None,
         parameters: Mapping[str, Override] | None = None,
         start: Mapping[str, float] | None = None,
         inputs: Mapping[str, InputValue] | None = None,
@@ -162,7 +165,8 @@ class CompiledModel:
 
         What is not given comes from the `experiment` annotation, else it is 0 to 1 s, 1e-6, 1/500 of the
         duration. `parameters` and `start` change tunable parameters and start values without compiling again.
-        `inputs` gives the model's inputs: constants, functions of time, or tables `(times, values)`. Raises
+        `inputs` gives the model's inputs: constants, functions of time, or tables `(times, values)`.
+        `solver`, `step` (s), `events` and `compiled` are those of `acausal.simulate.simulate`. Raises
         `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
         """
         from acausal.simulate.simulate import simulate
@@ -176,6 +180,9 @@ class CompiledModel:
             max_step=max_step,
             interval=interval,
             solver=solver,
+            step=step,
+            events=events,
+            compiled=compiled,
             parameters=parameters,
             start=start,
             inputs=inputs,

@@ -21,5 +21,6 @@ def isolated_environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[N
     """An empty home and no MODELICAPATH: only the bundled libraries are found."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", str(tmp_path_factory.mktemp("home")))
+        patch.setenv("ACAUSAL_CACHE", str(tmp_path_factory.mktemp("cache")))
         patch.delenv("MODELICAPATH", raising=False)
         yield

@@ -9,6 +9,8 @@ import typer
 
 StageName: TypeAlias = Literal["ast", "instance", "flat", "causal", "code"]
 
+EventsName: TypeAlias = Literal["locate", "step"]
+
 _Model = Annotated[
     str, typer.Argument(metavar="MODEL", help="A class by its dotted name on the library path, or FILE.mo.")
 ]
@@ -150,7 +152,15 @@ def simulate(
     model: _Model,
     parameter: _Parameters = None,
     stop_time: Annotated[float | None, typer.Option(metavar="SECONDS", help="When to stop.")] = None,
-    solver: Annotated[str, typer.Option(metavar="NAME", help="How to integrate.")] = "cvode",
+    solver: Annotated[
+        str, typer.Option(metavar="NAME", help="How to integrate: auto, or a name from docs/solvers.md.")
+    ] = "auto",
+    step: Annotated[
+        float | None, typer.Option(metavar="SECONDS", help="Length of fixed steps; default: --interval.")
+    ] = None,
+    events: Annotated[
+        EventsName, typer.Option(help="Fixed steps: find crossings inside a step, or only at its end.")
+    ] = "locate",
     rtol: Annotated[float | None, typer.Option(metavar="R", help="Relative tolerance.")] = None,
     atol: Annotated[
         float | None, typer.Option(metavar="A", help="Absolute one, times nominal values.")
@@ -179,6 +189,17 @@ def simulate(
 
     target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
     settings = Run(
-        stop_time, solver, rtol, atol, max_step, interval, tuple(variable or ()), all_, output, plot
+        stop_time,
+        solver,
+        rtol,
+        atol,
+        max_step,
+        interval,
+        tuple(variable or ()),
+        all_,
+        output,
+        plot,
+        step=step,
+        events=events,
     )
     run_simulate(target, settings, as_json=json)

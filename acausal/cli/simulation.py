@@ -39,6 +39,8 @@ class Run:
     everything: bool
     output: Path | None
     plot: Path | None
+    step: float | None = None
+    events: str = "locate"
 
     def chosen(self, result: Result) -> tuple[str, ...]:
         """The variables that are kept: `-v`, else `--all`, else the states and the top level's."""
@@ -64,6 +66,8 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         atol=run.atol,
         max_step=run.max_step,
         interval=run.interval,
+        step=run.step,
+        events=run.events,
     )
     print_diagnostics(result.warnings)
     names = run.chosen(result)
@@ -92,6 +96,7 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
     return {
         "model": result.system.flat.name,
         **{key: statistics[key] for key in _COSTS},
+        **({"max_step_seconds": longest} if (longest := statistics["max_step_seconds"]) is not None else {}),
         "final": result.final(names),
         "result": None if run.output is None else str(run.output),
     }

@@ -152,7 +152,7 @@ def nonlinear(block: Block, known: Sequence[Expr], name: str, nominals: Nominals
     check = Function(f"{name}_check", [z, u], [verdict], ["z", "u"], ["v"], constant)
     s = SX.sym("s", z.shape[0])
     oracle = Function(f"{name}_newton", [z, ca.vertcat(u, s)], [residual / s], ["x", "p"], ["g"], {**FORWARD})
-    solver = ca.rootfinder(f"{name}_root", "newton", oracle, _NEWTON)
+    solver = ca.rootfinder(f"{name}_root", "fast_newton", oracle, _NEWTON)
     guess, values = MX.sym("guess", len(block.tearing)), MX.sym("u", len(known))
     found = solver(guess, ca.vertcat(values, size(guess, values)))
     total = found + ca.sum1(check(found, values))

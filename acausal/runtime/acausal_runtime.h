@@ -15,7 +15,7 @@ enum {
     AC_EVENT = 2,     /* a zero crossing: see `t`, `x`, `crossed` */
     AC_PAUSE = 3,     /* `budget` steps were taken */
     AC_VIOLATED = 4,  /* a condition is false at the row written last */
-    AC_NOT_FINITE = -1,     /* derivatives are not finite, with the shortest step too; at `t_bad`, `x_bad` */
+    AC_NOT_FINITE = -1,     /* derivatives are not finite, with the shortest step too; at the model's `t`, `x` */
     AC_STEP_TOO_SMALL = -2, /* the error test fails with the shortest step */
     AC_TOO_MANY_STEPS = -3,
     AC_SINGULAR = -4,       /* the matrix of a linearly implicit step is singular */
@@ -105,11 +105,10 @@ typedef struct {
 
     /* The present point and the last step: its interval is [t0, t1], valid up to `t`. */
     double t, t0, t1, h;
-    double t_bad;
     double *x;                 /* at `t` */
     double *x0, *x1, *f0, *f1, *f_old;
     double *k1, *k2, *k3;      /* dense output, see ac_interpolate */
-    double *stage, *k, *x_bad, *scale, *ratio, *error;
+    double *stage, *k, *scale, *ratio, *error;
     double *side, *slack, *g_old, *g_new, *g_try, *g_mid;
     int *crossed;
     int have_step, have_f0, have_old, have_jacobian, first, last_rejected;
@@ -119,16 +118,20 @@ typedef struct {
 
     /* Cost. */
     ac_long steps, rejected, failures;
-    double longest;            /* wall time of the longest step */
+    double latest, longest;    /* wall time of the last and of the longest step */
     double *influence;         /* per state: summed share of the squared error */
     ac_long *error_failures, *convergence_failures;
 } ac_solver;
 
-/* Memory of a solver over a model of `n` states and `m` crossings, with `capacity` entries each for L and U. */
-int ac_doubles(int n, int m, int entries_w, int capacity);
-int ac_ints(int n, int m, int capacity);
-/* Hands the memory out. The fields up to `diagonal`, `lu.n`, `lu.capacity` and `lu.ap, ai, q` are set. */
-void ac_init(ac_solver *s, double *doubles, int *ints, int entries_w);
+/* Memory of a solver over `n` states, `m` crossings and `entries` of the Jacobian. */
+int ac_doubles(int n, int m, int entries);
+int ac_ints(int m);
+/* Hands it out. The fields up to `diagonal` are set, and `lu.n, ap, ai, q`. */
+void ac_init(ac_solver *s, double *doubles, int *ints);
+/* Memory of the factors, with `lu.n` and `lu.capacity` set; after AC_MEMORY `ac_sweep` may go on with more. */
+int ac_lu_doubles(int n, int entries_w, int capacity);
+int ac_lu_ints(int n, int capacity);
+void ac_lu_init(ac_lu *lu, double *doubles, int *ints, int entries_w);
 /* Begins at (t, x); `side[i]` is the sign (1 or -1) that root i has in its present mode, 0 where it is not to be
  * looked for. Returns 0 or an error. */
 int ac_restart(ac_solver *s, double t, const double *x, const double *side);
@@ -148,7 +151,6 @@ int ac_matrix(ac_model *m, double t, const double *x);
 int ac_rate(ac_model *m, double t, const double *x, const double *f, double span, double *rate);
 int ac_roots(ac_model *m, double t, const double *x, double *g);
 int ac_row(ac_model *m, double t, const double *x, double *row);
-void ac_lu_memory(ac_lu *lu, double **doubles, int **ints, int entries);
 int ac_lu_factor(ac_lu *lu);
 void ac_lu_solve(const ac_lu *lu, const double *b, double *x);
 int ac_prepare(ac_solver *s, double h, double gamma);
@@ -159,7 +161,6 @@ int ac_explicit(ac_solver *s, double h);
 double ac_first_step(ac_solver *s, double until);
 int ac_search(ac_solver *s);
 void ac_hermite(ac_solver *s);
-void ac_note_bad(ac_solver *s, double t, const double *x);
 extern const ac_rosenbrock ac_rodas5p, ac_rodas3, ac_lieuler;
 
 #endif

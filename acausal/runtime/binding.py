@@ -40,7 +40,7 @@ class FunctionStructure(Structure):
     res: int
     iw: int
     w: int
-    _fields_ = [*_pointers("entry machine self arg res iw w")]  # noqa: RUF012
+    _fields_ = [*_pointers("entry machine self arg res iw w")]
 
 
 class ModelStructure(Structure):
@@ -75,7 +75,7 @@ class ModelStructure(Structure):
     exact_rate: int
     evaluations: int
     jacobians: int
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         *_typed("states crossings guesses outputs conditions entries", c_int),
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
@@ -95,7 +95,7 @@ class LuStructure(Structure):
     q: int
     searches: int
     repeats: int
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         *_typed("n capacity", c_int),
         *_pointers("ap ai q ax pinv lp li up ui lx ux ud work mark stack place reach"),
         *_typed("factored", c_int),
@@ -125,20 +125,20 @@ class SolverStructure(Structure):
     t0: float
     t1: float
     h: float
-    t_bad: float
     x: int
-    x_bad: int
+    x0: int
     crossed: int
     lu: LuStructure
     index: int
     steps: int
     rejected: int
     failures: int
+    latest: float
     longest: float
     influence: int
     error_failures: int
     convergence_failures: int
-    _fields_ = [  # noqa: RUF012
+    _fields_ = [
         *_pointers("model"),
         *_typed("method locate", c_int),
         *_typed("rtol", c_double),
@@ -146,15 +146,15 @@ class SolverStructure(Structure):
         *_typed("min_step max_step step origin sample", c_double),
         *_typed("max_steps", c_longlong),
         *_pointers("clock jmap diagonal"),
-        *_typed("t t0 t1 h t_bad", c_double),
-        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 stage k x_bad scale ratio error"),
+        *_typed("t t0 t1 h", c_double),
+        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 stage k scale ratio error"),
         *_pointers("side slack g_old g_new g_try g_mid crossed"),
         *_typed("have_step have_f0 have_old have_jacobian first last_rejected", c_int),
         *_typed("h_next h_accepted err_accepted h_old", c_double),
         *_typed("index", c_longlong),
         ("lu", LuStructure),
         *_typed("steps rejected failures", c_longlong),
-        *_typed("longest", c_double),
+        *_typed("latest longest", c_double),
         *_pointers("influence error_failures convergence_failures"),
     ]
 
@@ -166,11 +166,13 @@ class RunTime:
         library = run_time()
         solver = POINTER(SolverStructure)
         self.doubles = library.ac_doubles
-        self.doubles.argtypes, self.doubles.restype = [c_int] * 4, c_int
-        self.ints = library.ac_ints
-        self.ints.argtypes, self.ints.restype = [c_int] * 3, c_int
+        self.doubles.argtypes, self.doubles.restype = [c_int] * 3, c_int
         self.init = library.ac_init
-        self.init.argtypes, self.init.restype = [solver, _DOUBLES, _INTS, c_int], None
+        self.init.argtypes, self.init.restype = [solver, _DOUBLES, _INTS], None
+        self.lu_doubles, self.lu_ints = library.ac_lu_doubles, library.ac_lu_ints
+        self.lu_doubles.argtypes, self.lu_ints.argtypes = [c_int] * 3, [c_int] * 2
+        self.lu_init = library.ac_lu_init
+        self.lu_init.argtypes, self.lu_init.restype = [POINTER(LuStructure), _DOUBLES, _INTS, c_int], None
         self.restart = library.ac_restart
         self.restart.argtypes, self.restart.restype = [solver, c_double, _DOUBLES, _DOUBLES], c_int
         self.sweep = library.ac_sweep

@@ -1,10 +1,10 @@
-"""C text to a shared library: compiled by the system's compiler once, kept by content, loaded with `ctypes`.
+"""C text to a shared library: compiled by the system's compiler once, kept by content, loaded by `ctypes`.
 
-The cache is a directory of our own that nobody else may write to (mode 0700, owned by the user): `ACAUSAL_CACHE`,
-else `acausal` in `XDG_CACHE_HOME` or `~/.cache`; where none can be had, a temporary one for this process. A
-library's name is the SHA-256 of its sources, of the compiler and of the flags; beside it stands the SHA-256 of
-its bytes, which is checked before it is loaded. Both are written under other names and renamed, so that what
-is there is whole. What does not fit is compiled again.
+The cache is a directory of our own that nobody else may write to (mode 0700, owned by the user):
+`ACAUSAL_CACHE`, else `acausal` in `XDG_CACHE_HOME` or `~/.cache`; where none can be had, a temporary one for
+this process. A library's name is the SHA-256 of its sources, of the compiler and of the flags; beside it
+stands the SHA-256 of its bytes, which is checked before it is loaded. Both are written under other names and
+renamed, so that what is there is whole. What does not fit is compiled again.
 """
 
 from __future__ import annotations

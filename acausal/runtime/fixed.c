@@ -18,11 +18,7 @@ static const double dopri_b[6] = {35.0 / 384.0, 0, 500.0 / 1113.0, 125.0 / 192.0
 
 static int at(ac_solver *s, double t, double *out)
 {
-    int code = ac_slope(s->model, t, s->stage, out);
-    if (code != 0) {
-        ac_note_bad(s, t, s->stage);
-    }
-    return code;
+    return ac_slope(s->model, t, s->stage, out);
 }
 
 static int dopri(ac_solver *s, double h)
@@ -109,7 +105,6 @@ static int implicit(ac_solver *s, double h, const ac_rosenbrock *table)
         code = ac_matrix(m, s->t0, s->x0);
         code = code == 0 ? ac_rate(m, s->t0, s->x0, s->f0, h, s->ratio + m->entries) : code;
         if (code != 0) {
-            ac_note_bad(s, s->t0, s->x0);
             return code;
         }
         s->have_jacobian = 1;
@@ -161,7 +156,6 @@ static int finished(ac_solver *s)
     int n = s->model->states;
     int code = ac_finite(s->x1, n) ? ac_slope(s->model, s->t1, s->x1, s->f1) : AC_NOT_FINITE;
     if (code != 0) {
-        ac_note_bad(s, s->t1, s->x1);
         return code;
     }
     ac_hermite(s);
@@ -185,7 +179,6 @@ int ac_fixed_step(ac_solver *s, double until)
     if (!s->have_f0) {
         int code = ac_slope(s->model, s->t0, s->x0, s->f0);
         if (code != 0) {
-            ac_note_bad(s, s->t0, s->x0);
             return code;
         }
         s->have_f0 = 1;

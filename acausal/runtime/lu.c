@@ -10,39 +10,35 @@
 /* A repeated factorisation gives up where a pivot falls below this share of its column. */
 #define DECAYED 1e-3
 
-static double *take(double **from, int count)
+int ac_lu_doubles(int n, int entries_w, int capacity)
 {
-    double *start = *from;
-    *from += count;
-    return start;
+    return entries_w + 2 * capacity + 2 * n;
 }
 
-static int *take_ints(int **from, int count)
+int ac_lu_ints(int n, int capacity)
 {
-    int *start = *from;
-    *from += count;
-    return start;
+    return 2 * capacity + 7 * n + 2;
 }
 
-void ac_lu_memory(ac_lu *lu, double **doubles, int **ints, int entries)
+void ac_lu_init(ac_lu *lu, double *doubles, int *ints, int entries_w)
 {
     int n = lu->n;
-    lu->ax = take(doubles, entries);
-    lu->lx = take(doubles, lu->capacity);
-    lu->ux = take(doubles, lu->capacity);
-    lu->ud = take(doubles, n);
-    lu->work = take(doubles, n);
-    lu->pinv = take_ints(ints, n);
-    lu->lp = take_ints(ints, n + 1);
-    lu->up = take_ints(ints, n + 1);
-    lu->li = take_ints(ints, lu->capacity);
-    lu->ui = take_ints(ints, lu->capacity);
-    lu->mark = take_ints(ints, n);
-    lu->stack = take_ints(ints, n);
-    lu->place = take_ints(ints, n);
-    lu->reach = take_ints(ints, n);
+    int capacity = lu->capacity;
+    lu->ax = doubles;
+    lu->lx = lu->ax + entries_w;
+    lu->ux = lu->lx + capacity;
+    lu->ud = lu->ux + capacity;
+    lu->work = lu->ud + n;
+    lu->li = ints;
+    lu->ui = lu->li + capacity;
+    lu->pinv = lu->ui + capacity;
+    lu->mark = lu->pinv + n;
+    lu->stack = lu->mark + n;
+    lu->place = lu->stack + n;
+    lu->reach = lu->place + n;
+    lu->lp = lu->reach + n;
+    lu->up = lu->lp + n + 1;
     lu->factored = 0;
-    lu->searches = lu->repeats = 0;
 }
 
 /* Rows that the column `k` of the solution of L x = W(:, q[k]) can touch, in topological order from `top`. */

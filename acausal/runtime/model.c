@@ -10,7 +10,9 @@ int ac_call(const ac_function *f)
     if (f->entry != NULL) {
         return f->entry(f->arg, f->res, f->iw, f->w, 0);
     }
-    f->machine(f->self);
+    if (f->machine != NULL) { /* neither: there is nothing to compute */
+        f->machine(f->self);
+    }
     return 0;
 }
 

@@ -58,9 +58,6 @@ static int roots_at(ac_solver *s, double t, double *g)
     if (code == 0 && !all_finite(s, g)) {
         code = AC_NOT_FINITE;
     }
-    if (code != 0) {
-        ac_note_bad(s, t, s->stage);
-    }
     return code;
 }
 

@@ -108,11 +108,7 @@ static int evaluated(ac_solver *s, const ac_rosenbrock *table, double h, int i, 
         add(s->stage, a[j], s->k + j * n, n);
     }
     double t = s->t0 + table->alpha[i] * h;
-    int code = ac_slope(s->model, t, s->stage, out);
-    if (code != 0) {
-        ac_note_bad(s, t, s->stage);
-    }
-    return code;
+    return ac_slope(s->model, t, s->stage, out);
 }
 
 /* Whether stage i evaluates where the one before did (RODAS3's second stage). */

@@ -5,16 +5,16 @@
 
 #include "acausal_runtime.h"
 
-enum { VECTORS = 16, ROOTS = 6 };
+enum { VECTORS = 13, ROOTS = 6 };
 
-int ac_doubles(int n, int m, int entries_w, int capacity)
+int ac_doubles(int n, int m, int entries)
 {
-    return (VECTORS + AC_MAX_STAGES) * n + ROOTS * m + 2 * entries_w + 2 * capacity + 2 * n;
+    return (VECTORS + AC_MAX_STAGES + 1) * n + ROOTS * m + entries;
 }
 
-int ac_ints(int n, int m, int capacity)
+int ac_ints(int m)
 {
-    return m + n + 2 * (n + 1) + 2 * capacity + 4 * n;
+    return m;
 }
 
 static double *take(double **from, int count)
@@ -24,12 +24,12 @@ static double *take(double **from, int count)
     return start;
 }
 
-void ac_init(ac_solver *s, double *doubles, int *ints, int entries_w)
+void ac_init(ac_solver *s, double *doubles, int *ints)
 {
     const ac_model *m = s->model;
     int n = m->states;
     double **const vectors[] = {&s->x,  &s->x0, &s->x1,    &s->f0,    &s->f1,    &s->f_old, &s->k1,
-                                &s->k2, &s->k3, &s->stage, &s->x_bad, &s->scale, &s->error, &s->influence};
+                                &s->k2, &s->k3, &s->stage, &s->scale, &s->error, &s->influence};
     double **const roots[] = {&s->side, &s->slack, &s->g_old, &s->g_new, &s->g_try, &s->g_mid};
     for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++) {
         *vectors[i] = take(&doubles, n);
@@ -40,8 +40,6 @@ void ac_init(ac_solver *s, double *doubles, int *ints, int entries_w)
     }
     s->ratio = take(&doubles, m->entries + n); /* the last n: d xdot / d t */
     s->crossed = ints;
-    ints += m->crossings;
-    ac_lu_memory(&s->lu, &doubles, &ints, entries_w);
     for (int j = 0, p = 0; j < n; j++) { /* entries of J come by columns, as those of W do */
         for (; p < m->entries && s->jmap[p] < s->lu.ap[j + 1]; p++) {
             s->ratio[p] = s->nominal[j] / s->nominal[s->lu.ai[s->jmap[p]]];
@@ -49,16 +47,9 @@ void ac_init(ac_solver *s, double *doubles, int *ints, int entries_w)
     }
     memset(s->influence, 0, (size_t)n * sizeof(double));
     s->steps = s->rejected = s->failures = 0;
-    s->longest = 0.0;
+    s->lu.searches = s->lu.repeats = 0;
+    s->latest = s->longest = 0.0;
     s->have_step = 0;
-}
-
-void ac_note_bad(ac_solver *s, double t, const double *x)
-{
-    s->t_bad = t;
-    if (s->model->states > 0) {
-        memcpy(s->x_bad, x, (size_t)s->model->states * sizeof(double));
-    }
 }
 
 void ac_interpolate(const ac_solver *s, double t, double *x)
@@ -98,7 +89,6 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side)
         code = ac_call(&m->scales) != 0 ? AC_NOT_FINITE : 0;
     }
     if (code != 0) {
-        ac_note_bad(s, t, x);
         return code;
     }
     for (int i = 0; i < m->crossings; i++) {
@@ -134,7 +124,6 @@ static int shortened(ac_solver *s)
         code = ac_slope(s->model, s->t1, s->x1, s->f1);
     }
     if (code != 0) {
-        ac_note_bad(s, end, s->x0);
         return code;
     }
     ac_hermite(s);
@@ -158,7 +147,8 @@ static int moved(ac_solver *s, double until)
         code = problem != 0 ? problem : code;
     }
     if (s->clock != NULL) {
-        s->longest = fmax(s->longest, s->clock() - began);
+        s->latest = s->clock() - began;
+        s->longest = fmax(s->longest, s->latest);
     }
     return code;
 }
@@ -176,7 +166,6 @@ static int written(ac_solver *s, const double *grid, int count, double *rows, in
         int code = ac_row(s->model, grid[*filled], s->stage, row);
         (*filled)++;
         if (code != 0) {
-            ac_note_bad(s, grid[*filled - 1], s->stage);
             return code;
         }
     }

@@ -118,7 +118,6 @@ static int begun(ac_solver *s, double until)
     int n = m->states;
     int code = ac_slope(m, s->t0, s->x0, s->f0);
     if (code != 0) {
-        ac_note_bad(s, s->t0, s->x0);
         return code;
     }
     if (s->first) {
@@ -128,9 +127,6 @@ static int begun(ac_solver *s, double until)
     code = n > 0 ? ac_matrix(m, s->t0, s->x0) : 0;
     if (code == 0 && n > 0) {
         code = ac_rate(m, s->t0, s->x0, s->f0, until - s->t0, s->ratio + m->entries);
-    }
-    if (code != 0) {
-        ac_note_bad(s, s->t0, s->x0);
     }
     return code;
 }
@@ -184,7 +180,6 @@ int ac_variable_step(ac_solver *s, double until)
         }
         double e = code == 0 ? measured(s) : INFINITY;
         if (code == 0 && isinf(e)) {
-            ac_note_bad(s, s->t0 + h, s->x0);
         }
         if (e <= 1.0) {
             blame(s, e, 0);

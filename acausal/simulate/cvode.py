@@ -91,6 +91,7 @@ class Cvode:
         shape = (self._size, self._size)
         ones = np.ones(len(self._rows))
         limits = self._tolerances
+        longest = limits.max_step or limits.sample  # so that two crossings in one long step are not missed
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the pattern is not used for differences: it is exact
             return CVODE(
@@ -103,7 +104,7 @@ class Cvode:
                 rtol=limits.rtol,
                 atol=limits.atol if limits.atol.size else 1.0,
                 min_step=limits.min_step,
-                max_step=max(limits.max_step, limits.min_step) if limits.max_step else np.inf,
+                max_step=max(longest, limits.min_step) if longest else np.inf,
                 max_num_steps=min(limits.max_steps, BATCH),
                 eventsfn=self._roots,
                 num_events=self._evaluator.located.size,

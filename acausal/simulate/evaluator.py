@@ -96,6 +96,20 @@ class Evaluator:
         self.instant = Buffered(code.instants, [self.p, self.d])
         self.instants = self.instant.outputs[0]
 
+    @property
+    def groups(self) -> dict[str, Vector]:
+        """The Functions' inputs by name, without the point and the tearing variables."""
+        return {"p": self.p, "m": self.m, "u": self.u, "d": self.d}
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether an input changes with time."""
+        return self._moving
+
+    def refill(self, time: float) -> None:
+        """Writes the inputs' values at `time`."""
+        self.inputs.fill(time, self.u)
+
     def at(self, time: float, x: Vector) -> None:
         """Sets the point at which the Functions evaluate."""
         self.t[0] = time

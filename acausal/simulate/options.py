@@ -17,7 +17,12 @@ _MAX_POINTS = 50_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """A run's settings, complete: `atol` counts in nominal values; `max_step` 0 is no limit."""
+    """A run's settings, complete: `atol` counts in nominal values; `max_step` 0 is no limit.
+
+    `sample` is how often zero crossings are looked at (0 where there are none). `step` is the length of fixed
+    steps; at their ends events are handled, or located inside them if `locate`. `compiled`: whether the
+    model's functions are compiled C; None decides by what it costs.
+    """
 
     start_time: float
     stop_time: float
@@ -27,6 +32,10 @@ class Options:
     interval: float
     solver: str = "cvode"
     max_steps: int = MAX_STEPS
+    sample: float = 0.0
+    step: float = 0.0
+    locate: bool = True
+    compiled: bool | None = None
 
     @property
     def span(self) -> float:
@@ -45,11 +54,13 @@ def resolve(
     solver: str = "cvode",
     max_steps: int = MAX_STEPS,
     has_events: bool = False,
+    step: float | None = None,
+    events: str = "locate",
+    compiled: bool | None = None,
 ) -> Options:
     """Settings as given, else from the `experiment` annotation, else the contract's: 1 s, 1e-6, 1/500.
 
-    `atol` is by default `rtol`. With zero crossings and no `max_step`, steps are limited to the output
-    interval, so that two crossings in one long step are not missed. Raises `UsageProblem`.
+    `atol` is by default `rtol`, `step` the interval. Raises `UsageProblem`.
     """
     start = _first(start_time, experiment.start_time, 0.0)
     stop = _first(stop_time, experiment.stop_time, start + DEFAULT_STOP)
@@ -57,14 +68,29 @@ def resolve(
         raise _wrong("stop-time", f"the stop time {stop:g} s lies before the start time {start:g} s")
     relative = _positive("rtol", _first(rtol, experiment.tolerance, DEFAULT_RTOL))
     span = stop - start
-    step = _positive("interval", _first(interval, experiment.interval, span / DEFAULT_INTERVALS or 1.0))
-    if span / step > _MAX_POINTS:
-        raise _wrong("interval", f"an interval of {step:g} s gives more than {_MAX_POINTS} output points")
+    points = _positive("interval", _first(interval, experiment.interval, span / DEFAULT_INTERVALS or 1.0))
+    if span / points > _MAX_POINTS:
+        raise _wrong("interval", f"an interval of {points:g} s gives more than {_MAX_POINTS} output points")
     if max_step is not None:
         _positive("max_step", max_step)
-    limit = max_step if max_step is not None else (min(step, span) if has_events else 0.0)
     absolute = _positive("atol", atol if atol is not None else relative)
-    return Options(start, stop, relative, absolute, limit, step, solver, max_steps)
+    length = _positive("step", _first(step, points))
+    if events not in ("locate", "step"):
+        raise _wrong("events", f"`{events}` is no way to handle events: `locate` or `step`")
+    return Options(
+        start,
+        stop,
+        relative,
+        absolute,
+        max_step or 0.0,
+        points,
+        solver,
+        max_steps,
+        sample=min(points, span) if has_events else 0.0,
+        step=length,
+        locate=events == "locate",
+        compiled=compiled,
+    )
 
 
 def _first(*values: float | None) -> float:

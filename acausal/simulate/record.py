@@ -47,6 +47,17 @@ class Recorder:
         if evaluator.code.system.assertions:
             self._assert(time)
 
+    def extend(self, times: Vector, rows: Vector) -> None:
+        """Takes rows that were evaluated elsewhere; `look_again` is for those that need it."""
+        self._times.extend(times.tolist())
+        self._rows.extend(rows if self._order is None else rows[:, self._order])
+
+    def look_again(self, time: float, x: Vector) -> None:
+        """Evaluates the last row anew, and its assertions. Raises `SimulationProblem` as `add` does."""
+        self._times.pop()
+        self._rows.pop()
+        self.add(time, x)
+
     def _assert(self, time: float) -> None:
         evaluator = self._evaluator
         evaluator.condition()

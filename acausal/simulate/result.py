@@ -39,6 +39,11 @@ class Statistics:
     real_time_factor: float
     state_selections: int = 0
     """How often states were chosen anew (dynamic state selection)."""
+    rejected: int = 0
+    """Steps that the error test refused."""
+    factorisations: int = 0
+    max_step_seconds: float | None = None
+    """Longest wall time of a fixed step, events at its end included; None with variable steps."""
 
 
 @dataclass(frozen=True)

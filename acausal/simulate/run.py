@@ -15,7 +15,7 @@ from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
 from acausal.simulate.record import Recorder
 from acausal.simulate.reselect import Reselection
-from acausal.simulate.solver import Solver, Work
+from acausal.simulate.solver import Solver, Sweeper, Work
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
 _AHEAD = 1e-9
@@ -60,8 +60,10 @@ def run(
     """
     loop = _Loop(evaluator, solver, options, recorder)
     loop.begin(options.start_time, x)
-    for target in grid(options):
-        loop.reach(target)
+    targets = np.array(list(grid(options)))
+    done = 0
+    while done < len(targets):
+        done += loop.reach(targets[done:])
     return loop.course()
 
 
@@ -99,7 +101,25 @@ class _Loop:
             self.recorder.add(time, x)
         self._restart()
 
-    def reach(self, target: float) -> None:
+    def reach(self, targets: Vector) -> int:
+        """Advances over the first of the grid points `targets`; says over how many."""
+        if isinstance(self.solver, Sweeper):
+            return self._sweep(self.solver, targets)
+        self._reach(float(targets[0]))
+        return 1
+
+    def _sweep(self, solver: Sweeper, targets: Vector) -> int:
+        """To the next event, or as far as the solver goes at once; records the grid points on the way."""
+        found = solver.sweep(targets, self.options.stop_time)
+        self.recorder.extend(found.times, found.rows)
+        if found.is_suspect:
+            self.recorder.look_again(found.time, found.x)
+        elif found.crossed is not None:
+            self._time, self._x = found.time, found.x
+            self._event(crossed_modes(self._operators, self.evaluator.m, found.crossed), found.crossed)
+        return len(found.times)
+
+    def _reach(self, target: float) -> None:
         """Advances to the grid point `target` through all events before it."""
         if self.solver is None:
             self._time = target

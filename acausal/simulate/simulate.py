@@ -6,22 +6,16 @@ from collections.abc import Mapping
 from time import process_time
 
 from acausal.codegen.functions import Code
-from acausal.errors import UsageProblem, fail
-from acausal.simulate.cvode import Cvode
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.initialize import InitialPoint, initialize
 from acausal.simulate.inputs import InputValue
-from acausal.simulate.names import did_you_mean
 from acausal.simulate.options import MAX_STEPS, Options, resolve
 from acausal.simulate.overrides import Override
 from acausal.simulate.record import Recorder
 from acausal.simulate.result import Result, Statistics
 from acausal.simulate.run import run
-from acausal.simulate.solver import Solver, SolverFactory, Tolerances
-
-_ROUND = 7e-15
-"""The shortest step relative to time: below it, time no longer advances by what the step says."""
-SOLVERS: dict[str, SolverFactory] = {"cvode": Cvode}
+from acausal.simulate.solver import Solver
+from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 
 
 def simulate(
@@ -33,8 +27,11 @@ def simulate(
     atol: float | None = None,
     max_step: float | None = None,
     interval: float | None = None,
-    solver: str = "cvode",
+    solver: str = AUTO,
     max_steps: int = MAX_STEPS,
+    step: float | None = None,
+    events: str = "locate",
+    compiled: bool | None = None,
     parameters: Mapping[str, Override] | None = None,
     start: Mapping[str, float] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
@@ -43,13 +40,11 @@ def simulate(
 
     `parameters` changes tunable parameters and `start` start values, without compiling again. `inputs` gives
     the model's inputs: constants, functions of time, or tables `(times, values)`. Times are in seconds.
+    `solver` is one of `SOLVERS`; those of `FIXED` take steps of length `step` (the default is the interval),
+    and `events` says whether they `locate` zero crossings inside a step or handle them at its end (`step`).
+    `compiled` says whether the model's functions are compiled C; the default is what costs less.
     Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
     """
-    if solver not in SOLVERS:
-        hint = did_you_mean(solver, SOLVERS) or f"there is {', '.join(SOLVERS)}"
-        raise fail(
-            UsageProblem, "simulate.solver", f"there is no solver `{solver}`", names=[solver], hint=hint
-        )
     options = resolve(
         code.system.flat.experiment,
         stop_time=stop_time,
@@ -58,9 +53,12 @@ def simulate(
         atol=atol,
         max_step=max_step,
         interval=interval,
-        solver=solver,
+        solver=chosen(solver),
         max_steps=max_steps,
         has_events=bool(code.system.zero_crossings),
+        step=step,
+        events=events,
+        compiled=compiled,
     )
     point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
     return integrate(point, options)
@@ -74,14 +72,11 @@ def integrate(point: InitialPoint, options: Options) -> Result:
     began = process_time()
 
     def solver(current: Evaluator) -> Solver:
-        atol = options.atol * current.x_nominal
-        shortest = _ROUND * max(abs(options.start_time), abs(options.stop_time))
-        limits = Tolerances(options.rtol, atol, shortest, options.max_step, options.max_steps, options.span)
-        return SOLVERS[options.solver](current, limits)
+        return make_solver(current, options)
 
     moves = (code.system.states or code.system.zero_crossings) and options.span > 0
     course = run(evaluator, solver if moves else None, point.x, options, recorder)
-    cpu = process_time() - began - course.compiling
+    cpu = process_time() - began - course.compiling - course.work.compiling
     return Result(
         system=code.system,
         time=recorder.time,
@@ -98,6 +93,9 @@ def integrate(point: InitialPoint, options: Options) -> Result:
             cpu_seconds=cpu,
             real_time_factor=cpu / options.span if options.span else 0.0,
             state_selections=course.state_selections,
+            rejected=course.work.rejected,
+            factorisations=course.work.factorisations,
+            max_step_seconds=course.work.longest if options.solver in FIXED else None,
         ),
         starts=point.used,
         warnings=(*point.warnings, *recorder.warnings),

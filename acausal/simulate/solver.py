@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,24 +26,62 @@ class Arrival:
 
 
 @dataclass(frozen=True)
+class Sweep:
+    """Where `sweep` stopped: at an event (`crossed`), at `until` (`is_there`), or on the way.
+
+    `rows` are the outputs at `times`. If the last row `is_suspect`, `time` and `x` are its point: there an
+    assertion is violated, or something is not finite.
+    """
+
+    time: float
+    x: Vector
+    crossed: NDArray[np.int_] | None
+    times: Vector
+    rows: Vector
+    is_suspect: bool
+    is_there: bool
+
+
+@dataclass(frozen=True)
+class Influence:
+    """Per state: summed share of the squared error estimate, failures of the error test, other failures."""
+
+    share: Vector
+    error_failures: NDArray[np.int64]
+    convergence_failures: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
 class Work:
-    """Cost so far."""
+    """Cost so far. `compiling`: CPU seconds that are no part of the run; `longest`: wall time of a fixed step."""
 
     steps: int
     rhs_evaluations: int
     jacobian_evaluations: int
+    rejected: int = 0
+    factorisations: int = 0
+    compiling: float = 0.0
+    longest: float = 0.0
 
     def __add__(self, other: Work) -> Work:
         return Work(
             self.steps + other.steps,
             self.rhs_evaluations + other.rhs_evaluations,
             self.jacobian_evaluations + other.jacobian_evaluations,
+            self.rejected + other.rejected,
+            self.factorisations + other.factorisations,
+            self.compiling + other.compiling,
+            max(self.longest, other.longest),
         )
 
 
 @dataclass(frozen=True)
 class Tolerances:
-    """Relative tolerance, absolute tolerances of the states, step limits (0: none), simulated time."""
+    """Relative tolerance, absolute tolerances of the states, step limits (0: none), simulated time.
+
+    For solvers with dense output: `sample`, how often roots are looked at (s). For fixed steps: `step` (s),
+    counted from `start`, and whether crossings are to `locate` inside a step.
+    """
 
     rtol: float
     atol: Vector
@@ -51,6 +89,10 @@ class Tolerances:
     max_step: float
     max_steps: int
     span: float = 1.0
+    start: float = 0.0
+    sample: float = 0.0
+    step: float = 0.0
+    locate: bool = True
 
 
 class Solver(Protocol):
@@ -65,6 +107,15 @@ class Solver(Protocol):
 
     def advance(self, target: float, stop: float) -> Arrival:
         """Integrate to `target`, never evaluating beyond `stop`; stop early at zero crossings."""
+        ...
+
+
+@runtime_checkable
+class Sweeper(Solver, Protocol):
+    """A `Solver` that writes outputs on the way, without stopping for them."""
+
+    def sweep(self, targets: Vector, until: float) -> Sweep:
+        """Integrate to `until` at most, writing outputs at the increasing `targets`."""
         ...
 
 

@@ -136,7 +136,8 @@ def test_simulate_json(call: Call, working_directory: Path) -> None:
     assert list(data) == SIMULATE_KEYS
     depth = (1 - 1e-3 * 2 / 0.5 * math.sqrt(9.81 / 2) * 10) ** 2
     assert final == {"h": pytest.approx(depth, rel=1e-5), "hidden": pytest.approx(2 * depth, rel=1e-5)}
-    assert (data["result"], data["stop_time"], data["solver"]) == ("t.csv", 10.0, "cvode")
+    assert (data["result"], data["stop_time"]) == ("t.csv", 10.0)
+    assert data["solver"] in ("rodas", "cvode")
     assert isinstance(data["cpu_seconds"], float)
     assert data["real_time_factor"] == pytest.approx(data["cpu_seconds"] / 10)
     rows = list(csv.reader((working_directory / "t.csv").read_text().splitlines()))

@@ -1,0 +1,352 @@
+"""The run-time in C as a `Solver`: RODAS5P with variable steps, and all methods with fixed ones.
+
+Between two events nothing of Python runs, unless an input is a function of the user's. The run-time shares
+the evaluator's parameters, modes, frozen values, inputs and guesses; the point at which it evaluates is its
+own.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, field
+from time import perf_counter, process_time
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acausal.errors import AcausalError, SimulationProblem, fail
+from acausal.runtime import binding
+from acausal.runtime.binding import CLOCK, FILL, METHODS, ModelStructure, RunTime, SolverStructure
+from acausal.simulate.cvode import BATCH, SLOW_BATCHES
+from acausal.simulate.elimination import eliminate
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.events import operators
+from acausal.simulate.machine import WORTH, bound, machine_of, pointer
+from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, some
+from acausal.simulate.solver import Arrival, Influence, Sweep, Tolerances, Work
+
+_BUDGET = 2_000
+"""Steps after which the run-time returns for a moment, so that a run can be interrupted."""
+_CHUNK = 2**17
+"""Numbers in a block of rows."""
+
+_COLLAPSED = -1000
+
+_CAUSES = {
+    _COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
+    binding.STEP_TOO_SMALL: ("simulate.step-too-small", "the error test failed with the smallest step"),
+    binding.TOO_MANY_STEPS: ("simulate.too-many-steps", "too many steps were needed"),
+    binding.SINGULAR: ("simulate.singular-step", "the matrix of an implicit step was singular"),
+    binding.NOT_FINITE: ("simulate.not-finite", "something was not a number with the smallest step too"),
+}
+
+
+@dataclass
+class _Memory:
+    """Everything that the structures point to."""
+
+    kept: list[object] = field(default_factory=list[object])
+
+    def array(self, array: Vector | NDArray[np.int32] | NDArray[np.int64]) -> int:
+        """Keeps an array, and says where it is."""
+        self.kept.append(array)
+        return pointer(array)
+
+
+class NativeSolver:
+    """A `Solver` over the run-time in C; `method` is one of `METHODS`, `step` the length of a fixed step."""
+
+    def __init__(
+        self,
+        evaluator: Evaluator,
+        tolerances: Tolerances,
+        method: str = "rodas",
+        compiled: bool | None = None,
+    ) -> None:
+        began = process_time()
+        self._evaluator = evaluator
+        self._limits = tolerances
+        self._machine = machine_of(evaluator.code)
+        self._compiled = compiled
+        self._run_time = RunTime()
+        self._memory = _Memory()
+        self._model = ModelStructure()
+        self._solver = SolverStructure()
+        self._arrays: dict[str, Vector] = {}
+        self._operators = operators(evaluator.code.system)
+        self._elimination = eliminate(evaluator.code.jac.sparsity_out(0), evaluator.x.size)
+        self._time, self._x = tolerances.start, evaluator.x.copy()
+        self._error_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
+        self._convergence_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
+        self._take_functions()
+        self._bind()
+        self._set_up(METHODS[method])
+        self._longest, self._left = 0.0, 0.0
+        self._judged, self._slow = (0, tolerances.start), 0
+        self._compiling = process_time() - began
+
+    def _take_functions(self) -> None:
+        if self._compiled is None:
+            self._machine.look_up()
+        elif self._compiled:
+            self._machine.compile()
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether the model's functions are compiled C by now."""
+        return self._machine.library is not None and self._compiled is not False
+
+    def _bind(self) -> None:
+        """Gives the model its arrays, and its functions pointers to them."""
+        evaluator, model, memory = self._evaluator, self._model, self._memory
+        code = evaluator.code
+        model.states, model.crossings = evaluator.x.size, evaluator.m.size
+        model.guesses, model.entries = evaluator.guess.size, code.jac.nnz_out(0)
+        model.outputs, model.conditions = code.outputs.nnz_out(0), code.conditions.nnz_out(0)
+        sizes = {
+            "t": 1,
+            "x": model.states,
+            "z": model.guesses,
+            "xdot": model.states,
+            "jacobian": model.entries,
+            "rate": model.states,
+            "roots": model.crossings,
+            "sizes": model.crossings,
+            "row": model.outputs,
+            "ok": model.conditions,
+        }
+        self._arrays = {name: np.zeros(size) for name, size in sizes.items()}
+        self._arrays["guess"] = evaluator.guess
+        for name, array in self._arrays.items():
+            setattr(model, name, memory.array(array))
+        if evaluator.is_moving:
+            fill = FILL(evaluator.refill)
+            memory.kept.append(fill)
+            model.fill = ctypes.cast(fill, ctypes.c_void_p).value
+        functions = self._machine.functions
+        model.exact_rate = int("derivative" in functions and not evaluator.is_moving)
+        model.autonomous = int("derivative" not in functions and not evaluator.is_moving)
+        self._bind_functions()
+
+    def _bind_functions(self) -> None:
+        library = self._machine.library if self.is_compiled else None
+        arrays = self._arrays
+        results = {
+            "ode": [arrays["xdot"], arrays["z"]],
+            "jac": [arrays["jacobian"]],
+            "derivative": [arrays["rate"]],
+            "events": [arrays["roots"]],
+            "scales": [arrays["sizes"]],
+            "output": [arrays["row"]],
+            "assertions": [arrays["ok"]],
+        }
+        for name, function in self._machine.functions.items():
+            guess = "guess" if name in ("ode", "jac", "derivative") else "z"
+            known = {**self._evaluator.groups, "t": arrays["t"], "x": arrays["x"], "z": arrays[guess]}
+            inputs = [known[given] for given in function.name_in()]
+            structure, kept = bound(function, inputs, results[name], library)
+            self._memory.kept.append(kept)
+            setattr(self._model, name, structure)
+
+    def _set_up(self, method: int) -> None:
+        solver, memory, limits, found = self._solver, self._memory, self._limits, self._elimination
+        memory.kept.append(self._model)
+        solver.model = ctypes.addressof(self._model)
+        solver.method, solver.locate = method, int(limits.locate)
+        solver.rtol, solver.atol = limits.rtol, memory.array(limits.atol)
+        solver.nominal = memory.array(self._evaluator.x_nominal)
+        solver.min_step, solver.max_step, solver.sample = limits.min_step, limits.max_step, limits.sample
+        solver.step, solver.origin, solver.max_steps = limits.step, limits.start, limits.max_steps
+        if method != METHODS["rodas"]:
+            clock = CLOCK(perf_counter)
+            memory.kept.append(clock)
+            solver.clock = ctypes.cast(clock, ctypes.c_void_p).value
+        solver.jmap, solver.diagonal = memory.array(found.entries), memory.array(found.diagonal)
+        solver.lu.n = self._evaluator.x.size
+        solver.lu.ap, solver.lu.ai = memory.array(found.columns), memory.array(found.rows)
+        solver.lu.q = memory.array(found.order)
+        solver.error_failures = memory.array(self._error_failures)
+        solver.convergence_failures = memory.array(self._convergence_failures)
+        self._hand_out()
+
+    def _hand_out(self) -> None:
+        n, m = self._evaluator.x.size, self._evaluator.m.size
+        memory, count = self._memory, self._run_time.doubles(n, m, self._model.entries)
+        ints = np.zeros(m + 1, dtype=np.int32)
+        self._run_time.init(self._solver, memory.array(np.zeros(count + 1)), memory.array(ints))
+        self._give_factors(self._elimination.capacity)
+
+    def _give_factors(self, capacity: int) -> None:
+        """Room for so many entries of L and of U."""
+        n, entries, lu = self._evaluator.x.size, self._elimination.rows.size, self._solver.lu
+        lu.capacity = capacity
+        doubles = np.zeros(self._run_time.lu_doubles(n, entries, capacity))
+        ints = np.zeros(self._run_time.lu_ints(n, capacity), dtype=np.int32)
+        self._factors = (doubles, ints)
+        self._run_time.lu_init(lu, pointer(doubles), pointer(ints), entries)
+
+    @property
+    def work(self) -> Work:
+        model, solver = self._model, self._solver
+        return Work(
+            solver.steps,
+            model.evaluations,
+            model.jacobians,
+            rejected=solver.rejected,
+            factorisations=solver.lu.searches + solver.lu.repeats,
+            compiling=self._compiling,
+            longest=max(solver.longest, self._longest),
+        )
+
+    @property
+    def influence(self) -> Influence:
+        """What every state did to the step size so far."""
+        size = self._evaluator.x.size
+        return Influence(
+            self._view(self._solver.influence, size).copy(),
+            self._error_failures[:size].copy(),
+            self._convergence_failures[:size].copy(),
+        )
+
+    def _view(self, address: int, size: int) -> Vector:
+        if not size:
+            return np.zeros(0)
+        return np.ctypeslib.as_array((ctypes.c_double * size).from_address(address))
+
+    def restart(self, time: float, x: Vector) -> None:
+        """Begins anew at this point. Raises `SimulationProblem` where a root is not a number."""
+        if self._left:
+            self._longest = max(self._longest, perf_counter() - self._left + self._solver.latest)
+        self._left = 0.0
+        self._time, self._x = time, np.ascontiguousarray(x, dtype=np.float64)
+        sides = self._sides()
+        code = self._run_time.restart(self._solver, time, pointer(self._x), pointer(sides))
+        if code != 0:
+            raise self._failure(code)
+
+    def _sides(self) -> Vector:
+        """The sign that each located root has in its mode; 0 for those that are not located."""
+        evaluator = self._evaluator
+        holds = np.where(evaluator.m != 0, 1.0, -1.0)
+        rising = np.array([1.0 if op in ("gt", "ge") else -1.0 for op in self._operators])
+        sides = np.zeros(max(1, evaluator.m.size))
+        sides[evaluator.located] = (holds * rising)[evaluator.located]
+        return sides
+
+    def advance(self, target: float, stop: float) -> Arrival:
+        """To `target`, which is where the last step ends; `stop` is never beyond it."""
+        del stop
+        found = self.sweep(np.zeros(0), target)
+        while found.crossed is None and found.time < target:
+            found = self.sweep(np.zeros(0), target)
+        return Arrival(found.time, found.x, found.crossed)
+
+    def sweep(self, targets: Vector, until: float) -> Sweep:
+        """Integrates towards `until` until an event, with the outputs at `targets` on the way.
+
+        Comes back early, with the rows so far, where there are many, or where one needs a look.
+        """
+        end = min(until, self._evaluator.inputs.next_kink(self._time))
+        wanted = np.ascontiguousarray(targets[targets <= end])
+        width = self._model.outputs
+        wanted = wanted[: max(1, _CHUNK // max(1, width))]
+        rows = np.zeros((len(wanted), width))
+        filled = ctypes.c_int(0)
+        code = self._call(wanted, end, rows, filled)
+        done = filled.value
+        if code < 0 and code != binding.ROW_NOT_FINITE:
+            raise self._failure(code)
+        suspect = code in (binding.VIOLATED, binding.ROW_NOT_FINITE)
+        arrived = code in (binding.REACHED, binding.EVENT)
+        self._judge(code)
+        if suspect:
+            time, x = float(self._arrays["t"][0]), self._arrays["x"].copy()
+            return Sweep(time, x, None, wanted[:done], rows[:done], True, False)
+        x = self._view(self._solver.x, self._evaluator.x.size).copy() if arrived else self._x
+        crossed = self._crossed() if code == binding.EVENT else None
+        self._left = perf_counter() if crossed is not None else 0.0
+        if arrived:
+            self._x = x
+        self._time = self._solver.t
+        self._maybe_compile()
+        there = arrived and self._time >= until
+        return Sweep(self._time, x, crossed, wanted[:done], rows[:done], False, there)
+
+    def _judge(self, code: int) -> None:
+        """Stops a run that at its present pace would need more steps than are allowed."""
+        steps, limits = self._solver.steps, self._limits
+        if code != binding.PAUSE or steps - self._judged[0] < BATCH:
+            return
+        progress = self._solver.t - self._judged[1]
+        hopeless = progress * limits.max_steps < limits.span * (steps - self._judged[0])
+        self._judged = steps, self._solver.t
+        self._slow = self._slow + 1 if hopeless else 0
+        if self._slow >= SLOW_BATCHES:
+            raise self._failure(_COLLAPSED)
+
+    def _call(self, targets: Vector, end: float, rows: Vector, filled: ctypes.c_int) -> int:
+        budget = 1 if self._evaluator.code.system.delays else _BUDGET
+        while True:
+            code = self._run_time.sweep(
+                self._solver,
+                pointer(targets),
+                len(targets),
+                end,
+                budget,
+                pointer(rows),
+                ctypes.addressof(filled),
+            )
+            if code != binding.MEMORY:
+                return code
+            self._give_factors(4 * self._solver.lu.capacity)
+
+    def _crossed(self) -> NDArray[np.int_]:
+        size = self._evaluator.m.size
+        return np.ctypeslib.as_array((ctypes.c_int * size).from_address(self._solver.crossed)).astype(np.int_)
+
+    def _maybe_compile(self) -> None:
+        """Compiles once the run has become long enough for that to pay."""
+        evaluations = self._model.evaluations + self._model.jacobians
+        if self._compiled is not None or self._machine.library is not None or evaluations <= WORTH:
+            return
+        began = process_time()
+        try:
+            self._machine.compile()
+            self._bind_functions()
+        except AcausalError:
+            self._compiled = False
+        self._compiling += process_time() - began
+
+    def _failure(self, status: int) -> AcausalError:
+        """Explains why the run-time gave up: an equation that is not finite, or states that change fast."""
+        evaluator = self._evaluator
+        solver = self._solver
+        if status in (binding.NOT_FINITE, binding.SINGULAR):
+            evaluator.at(float(self._arrays["t"][0]), self._arrays["x"])
+            if not evaluator.evaluate():
+                evaluator.explain()
+            elif status == binding.NOT_FINITE:
+                status = binding.STEP_TOO_SMALL
+        code, cause = _CAUSES.get(status, ("simulate.solver", f"status {status}"))
+        time, x = solver.t0, self._view(solver.x0, evaluator.x.size)
+        names = self._dominant(time, x)
+        return fail(
+            SimulationProblem,
+            code,
+            f"the integration stopped {at(time)}: {cause}; "
+            f"states that change most for their tolerance: {some(names)}",
+            names=names,
+            hint="look for a discontinuity that is no event, a wrong nominal value, or a solution that ends",
+        )
+
+    def _dominant(self, time: float, x: Vector) -> list[str]:
+        """The states with the largest derivative in units of their tolerance, largest first."""
+        evaluator, limits = self._evaluator, self._limits
+        evaluator.at(time, x)
+        evaluator.evaluate()
+        with np.errstate(all="ignore"):
+            weighted = np.abs(evaluator.xdot) / (limits.rtol * np.abs(x) + limits.atol)
+        order = np.argsort(-np.nan_to_num(weighted, nan=np.inf), kind="stable")[:3]
+        return [evaluator.code.system.states[i] for i in order]

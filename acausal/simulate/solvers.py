@@ -1,0 +1,56 @@
+"""Every solver by the name that `--solver` knows."""
+
+from __future__ import annotations
+
+from acausal.errors import UsageProblem, fail
+from acausal.runtime.binding import METHODS
+from acausal.runtime.build import compiler
+from acausal.simulate.cvode import Cvode
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.names import did_you_mean
+from acausal.simulate.native import NativeSolver
+from acausal.simulate.options import Options
+from acausal.simulate.solver import Solver, Tolerances
+
+AUTO = "auto"
+FIXED = tuple(name for name in METHODS if name != "rodas")
+"""The solvers with steps of one length."""
+SOLVERS = (AUTO, "cvode", "rodas", *FIXED)
+
+_ROUND = 7e-15
+"""The shortest step relative to time: below it, time no longer advances by what the step says."""
+
+
+def chosen(name: str) -> str:
+    """The solver that runs for a name: `auto` is `rodas` where there is a C compiler, else `cvode`.
+
+    Raises `UsageProblem` for what is no solver's name.
+    """
+    if name not in SOLVERS:
+        hint = did_you_mean(name, SOLVERS) or f"there is {', '.join(SOLVERS)}"
+        raise fail(UsageProblem, "simulate.solver", f"there is no solver `{name}`", names=[name], hint=hint)
+    if name != AUTO:
+        return name
+    return "rodas" if compiler() is not None else "cvode"
+
+
+def make_solver(evaluator: Evaluator, options: Options) -> Solver:
+    """An integrator over the evaluator's derivatives, by `options.solver`.
+
+    Raises `UnsupportedProblem` where the solver needs a C compiler and there is none.
+    """
+    limits = Tolerances(
+        options.rtol,
+        options.atol * evaluator.x_nominal,
+        _ROUND * max(abs(options.start_time), abs(options.stop_time)),
+        options.max_step,
+        options.max_steps,
+        options.span,
+        start=options.start_time,
+        sample=options.sample,
+        step=options.step,
+        locate=options.locate,
+    )
+    if options.solver == "cvode":
+        return Cvode(evaluator, limits)
+    return NativeSolver(evaluator, limits, options.solver, options.compiled)
