@@ -10,7 +10,6 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass, field
 from time import perf_counter, process_time
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -174,8 +173,8 @@ class NativeSolver:
     def _hand_out(self) -> None:
         n, m = self._evaluator.x.size, self._evaluator.m.size
         memory, count = self._memory, self._run_time.doubles(n, m, self._model.entries)
-        ints = np.zeros(m + 1, dtype=np.int32)
-        self._run_time.init(self._solver, memory.array(np.zeros(count + 1)), memory.array(ints))
+        doubles, ints = np.zeros(int(count) + 1), np.zeros(m + 1, dtype=np.int32)
+        self._run_time.init(self._solver, memory.array(doubles), memory.array(ints))
         self._give_factors(self._elimination.capacity)
 
     def _give_factors(self, capacity: int) -> None:

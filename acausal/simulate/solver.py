@@ -53,7 +53,7 @@ class Influence:
 
 @dataclass(frozen=True)
 class Work:
-    """Cost so far. `compiling`: CPU seconds that are no part of the run; `longest`: wall time of a fixed step."""
+    """Cost so far. `compiling`: CPU seconds that are no part of it; `longest`: a fixed step's wall time."""
 
     steps: int
     rhs_evaluations: int
