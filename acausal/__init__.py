@@ -13,13 +13,14 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from acausal.version import __version__
+
 if TYPE_CHECKING:
     from acausal.api import CompiledModel, Model, load, loads
     from acausal.errors import AcausalError
     from acausal.notebook import load_ipython_extension
     from acausal.simulate.result import Result
 
-__version__ = "0.1.0"
 __all__ = [
     "AcausalError",
     "CompiledModel",

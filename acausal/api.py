@@ -23,7 +23,6 @@ from acausal.lang.library import Library, read_source
 from acausal.pipeline import Compilation, Stage, compile_model, print_stage
 from acausal.sources import add_source, class_name, existing_file, searched_directories, stored_root
 from acausal.symbolic.balance import check_balance
-from acausal.symbolic.causal import Block, CausalSystem
 from acausal.symbolic.parameters import order_parameters
 
 if (
@@ -34,6 +33,7 @@ if (
     from acausal.simulate.inputs import InputValue
     from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
+    from acausal.symbolic.causal import Block, CausalSystem
 
 ParameterValue: TypeAlias = float | int | bool | str | SupportsIndex | Iterable["ParameterValue"]
 """A number, a Boolean, Modelica text (`"{1, 2}"`, `"Types.Mode.open"`), or a list of these."""

@@ -23,4 +23,6 @@ def isolated_environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[N
         patch.setenv("HOME", str(tmp_path_factory.mktemp("home")))
         patch.setenv("ACAUSAL_CACHE", str(tmp_path_factory.mktemp("cache")))
         patch.delenv("MODELICAPATH", raising=False)
+        patch.delenv("XDG_CACHE_HOME", raising=False)
+        patch.delenv("ACAUSAL_CACHE", raising=False)
         yield

@@ -7,7 +7,7 @@ Productions are plain functions `production(c: Cursor) -> Node`: they read `c.ki
 from __future__ import annotations
 
 from acausal.errors import Source, Span, SyntaxProblem
-from acausal.lang import structure_errors, syntax_errors
+from acausal.lang import ast, structure_errors, syntax_errors
 from acausal.lang.lexer import IDENT, Tokens
 from acausal.lang.nesting import NESTING_LIMIT
 
@@ -15,7 +15,18 @@ from acausal.lang.nesting import NESTING_LIMIT
 class Cursor:
     """The tokens of one source, the index of the next one, and how deep the parser is inside what."""
 
-    __slots__ = ("depth", "ends", "kinds", "position", "source", "starts", "subscripts", "texts")
+    __slots__ = (
+        "depth",
+        "ends",
+        "kinds",
+        "marks",
+        "position",
+        "source",
+        "starts",
+        "stored",
+        "subscripts",
+        "texts",
+    )
 
     def __init__(self, tokens: Tokens) -> None:
         self.source: Source = tokens.source
@@ -28,6 +39,10 @@ class Cursor:
         """Levels of nesting around the next token; see `enter`."""
         self.subscripts = 0
         """How many of them are array subscripts, where `end` is an expression."""
+        self.marks: list[ast.ClassDefinition | ast.Annotation] = []
+        """Classes and long annotations read so far: the nodes that can be read on their own."""
+        self.stored: dict[int, ast.ClassDefinition | ast.Annotation] = {}
+        """Nodes in place of tokens of the kinds `STORED_...`, by the character they begin at."""
 
     def span_from(self, first: int) -> Span:
         """From token `first` to the last token read."""

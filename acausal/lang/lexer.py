@@ -11,6 +11,7 @@ two tokens at least are `EOF`, with an empty text, so that one may always look o
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from sys import intern
@@ -23,6 +24,9 @@ STRING = "string"
 INTEGER = "integer"
 REAL = "real"
 EOF = "end of file"
+STORED_CLASS = "stored class"
+STORED_NOTE = "stored annotation"
+"""A class or an annotation that is known to stand here, and is not cut into tokens; see `tokenize_around`."""
 ILLEGAL = "illegal"
 _ESCAPED_NAME = "escaped name"
 
@@ -145,6 +149,30 @@ def tokenize(source: Source) -> Tokens:
         column.append(value)
     for column in (starts, ends):
         column.append(len(source.text))
+    return Tokens(source, kinds, texts, starts, ends)
+
+
+def tokenize_around(source: Source, start: int, end: int, holes: Sequence[tuple[str, int, int]]) -> Tokens:
+    """The tokens of the characters `start` to `end`, each hole (kind, start, end) being one token."""
+    kinds, texts, starts, ends = list[str](), list[str](), list[int](), list[int]()
+    kind_of = _Kinds(_FIXED_KINDS).__getitem__
+    for kind, opened, closed in (*holes, (EOF, end, end), (EOF, end, end)):
+        parts = _TOKENS.split(source.text[start:opened])
+        pieces = list(map(intern, parts[2::3]))
+        positions = list(accumulate(map(len, parts), initial=start))
+        count = len(pieces)
+        while count and not pieces[count - 1]:
+            count -= 1  # where this piece ends the text does not
+        texts += [*pieces[:count], "" if kind == EOF else kind]
+        kinds += [*map(kind_of, pieces[:count]), kind]
+        starts += [*positions[2 : 2 + 3 * count : 3], opened]
+        ends += [*positions[3 : 3 + 3 * count : 3], closed]
+        start = closed
+    if ILLEGAL in kinds:
+        index = kinds.index(ILLEGAL)
+        raise illegal_token(source, starts[index], texts[index], first=False)
+    if _ESCAPED_NAME in kinds:
+        _normalise_names(kinds, texts)
     return Tokens(source, kinds, texts, starts, ends)
 
 

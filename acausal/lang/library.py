@@ -17,7 +17,8 @@ from acausal.errors import LookupProblem, Source, Span, SyntaxProblem, fail
 from acausal.lang import ast
 from acausal.lang.imports import Imports, imports_of
 from acausal.lang.lexer import decode
-from acausal.lang.parser import parse
+from acausal.lang.parse_cache import cache_directory, read_stored
+from acausal.lang.reading_time import reading
 
 MAX_FILE_BYTES = 20_000_000
 
@@ -159,15 +160,19 @@ def _version_key(version: str) -> tuple[tuple[int, str], ...]:
 def read_source(path: Path, shown: str | None = None) -> Source:
     """Read and decode a Modelica file. Raises `SyntaxProblem` or `LookupProblem`."""
     label = shown or display_path(path)
+    return decode(read_bytes(path, label), label)
+
+
+def read_bytes(path: Path, label: str) -> bytes:
+    """What a Modelica file holds; messages call it `label`. Raises `SyntaxProblem` or `LookupProblem`."""
     try:
         if path.stat().st_size > MAX_FILE_BYTES:
             message = f"{label} is larger than {MAX_FILE_BYTES // 1_000_000} MB"
             raise fail(SyntaxProblem, "syntax.too-large", message)
-        data = path.read_bytes()
+        return path.read_bytes()
     except OSError as problem:
         message = f"cannot read {label}: {problem.strerror or problem}"
         raise fail(LookupProblem, "library.unreadable", message) from None
-    return decode(data, label)
 
 
 def display_path(path: Path) -> str:
@@ -180,7 +185,9 @@ def display_path(path: Path) -> str:
 
 def load_class(path: Path, name: str, parent: ClassNode | None) -> ClassNode:
     """The class stored in `path`, which must be called `name` and be `within` its parent."""
-    stored = parse(read_source(path))
+    label = display_path(path)
+    with reading():
+        stored = read_stored(read_bytes(path, label), label, cache_directory())
     folder = path.parent if path.name == "package.mo" else None
     within = ".".join(stored.within or ())
     expected = parent.path if parent is not None else ""

@@ -16,25 +16,62 @@ from typing import TypeVar
 from acausal.errors import Source
 from acausal.lang import ast
 from acausal.lang.cursor import Cursor, accept, expect
-from acausal.lang.lexer import EOF, IDENT, tokenize
+from acausal.lang.lexer import EOF, IDENT, STORED_CLASS, STORED_NOTE, tokenize, tokenize_around
 from acausal.lang.nesting import stack_room
-from acausal.lang.parser_classes import class_definition
+from acausal.lang.parser_classes import class_definition, one_element
 from acausal.lang.parser_expressions import expression
 from acausal.lang.parser_imports import dotted_name
-from acausal.lang.parser_modifications import CLASS_WORDS, NO_PREFIXES
+from acausal.lang.parser_modifications import CLASS_WORDS, NO_PREFIXES, annotation
+from acausal.lang.reading_time import reading
 from acausal.lang.structure_errors import no_class, not_modelica
 
 _T = TypeVar("_T")
 
 
+Marks = list[ast.ClassDefinition | ast.Annotation]
+
+
 def parse(source: Source) -> ast.StoredDefinition:
     """The classes of one file or text. Raises SyntaxProblem (codes `syntax.*`)."""
-    return _run(_stored_definition, source)
+    return parse_with_marks(source)[0]
+
+
+def parse_with_marks(source: Source) -> tuple[ast.StoredDefinition, Marks]:
+    """As `parse`, with all classes and long annotations in it: what `parse_part` can read on its own."""
+    c = Cursor(_within(lambda: tokenize(source)))
+    return _within(lambda: _stored_definition(c)), c.marks
+
+
+def parse_part(
+    source: Source, start: int, end: int, stored: Marks, protected: bool | None
+) -> ast.Element | ast.Annotation:
+    """The class (`protected` or not), or for None the annotation, that the characters `start` to `end` hold.
+
+    `stored` are nodes inside it, in order, to be taken as they are. Raises SyntaxProblem.
+    """
+
+    def read() -> ast.Element | ast.Annotation:
+        holes = [
+            (
+                STORED_NOTE if isinstance(node, ast.Annotation) else STORED_CLASS,
+                node.span.start,
+                node.span.end,
+            )
+            for node in stored
+        ]
+        c = Cursor(tokenize_around(source, start, end, holes))
+        c.stored = {node.span.start: node for node in stored}
+        found = annotation(c) if protected is None else one_element(c, protected)
+        if found is None or c.kinds[c.position] != EOF:
+            raise c.error("the end of this part")
+        return found
+
+    return _within(read)
 
 
 def parse_expression(source: Source) -> ast.Expression:
     """A text that is one expression, such as the value of `-p name=value`. Raises SyntaxProblem."""
-    return _run(_whole_expression, source)
+    return _within(lambda: _whole_expression(Cursor(tokenize(source))))
 
 
 def _whole_expression(c: Cursor) -> ast.Expression:
@@ -44,17 +81,17 @@ def _whole_expression(c: Cursor) -> ast.Expression:
     return result
 
 
-def _run(production: Callable[[Cursor], _T], source: Source) -> _T:
-    """Read the whole source by one production.
+def _within(work: Callable[[], _T]) -> _T:
+    """Do the work with room on the stack and without Python's garbage collector.
 
-    Python's cyclic garbage collector pauses meanwhile: a syntax tree has no cycles, and walking the
+    The cyclic garbage collector pauses meanwhile: a syntax tree has no cycles, and walking the
     growing tree again and again takes longer than building it.
     """
     collecting = gc.isenabled()
     gc.disable()
     try:
-        with stack_room():
-            return production(Cursor(tokenize(source)))
+        with stack_room(), reading():
+            return work()
     finally:
         if collecting:
             gc.enable()
@@ -74,6 +111,7 @@ def _stored_definition(c: Cursor) -> ast.StoredDefinition:
             raise not_modelica(c, after_class=bool(classes))
         definition = class_definition(c, c.position, NO_PREFIXES)
         classes.append((final, definition))
+        c.marks.append(definition)
         expect(c, ";", f"after the class `{definition.name}`")
     if not classes:
         raise no_class(c)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from acausal.lang import ast
 from acausal.lang.cursor import Cursor, accept, close, enter, expect, identifier, new_name
-from acausal.lang.lexer import IDENT, STRING, string_value
+from acausal.lang.lexer import IDENT, STORED_CLASS, STRING, string_value
 from acausal.lang.parser_equations import equations, statements
 from acausal.lang.parser_expressions import (
     array_subscripts,
@@ -34,7 +34,9 @@ from acausal.lang.syntax_errors import missing
 _PROTECTED = ast.Prefixes(protected=True)
 _ELEMENT_PREFIXES = frozenset(("redeclare", "final", "inner", "outer", "replaceable"))
 _TYPE_PREFIXES = frozenset(("flow", "stream", "discrete", "parameter", "constant", "input", "output"))
-_ELEMENT_STARTS = CLASS_WORDS | _ELEMENT_PREFIXES | _TYPE_PREFIXES | {IDENT, ".", "import", "extends"}
+_ELEMENT_STARTS = (
+    CLASS_WORDS | _ELEMENT_PREFIXES | _TYPE_PREFIXES | {IDENT, ".", "import", "extends", STORED_CLASS}
+)
 
 
 # --------------------------------------------------------------------------- classes
@@ -164,7 +166,7 @@ def _element_list(c: Cursor, elements: list[ast.Element], protected: bool) -> No
     """Append elements, each with its semicolon, as long as there are any."""
     kinds = c.kinds
     while kinds[c.position] in _ELEMENT_STARTS:
-        element = _element(c, protected)
+        element = one_element(c, protected)
         elements.append(element)
         if kinds[c.position] != ";":
             raise missing(c, ";", f"after {_what(element)}")
@@ -182,13 +184,16 @@ def _what(element: ast.Element) -> str:
     return f"the class `{element.name}`"
 
 
-def _element(c: Cursor, protected: bool) -> ast.Element:
+def one_element(c: Cursor, protected: bool) -> ast.Element:
+    """A class, component, import or `extends` clause, without its semicolon."""
     kind = c.kinds[c.position]
     first = c.position
     if kind == "import":
         return import_clause(c)
     if kind == "extends":
         return _extends(c, protected)
+    if kind == STORED_CLASS:
+        return stored_class(c)
     if kind not in _ELEMENT_PREFIXES:
         prefixes = _PROTECTED if protected else NO_PREFIXES
         return _class_or_component(c, first, prefixes)
@@ -203,13 +208,23 @@ def _element(c: Cursor, protected: bool) -> ast.Element:
     return _class_or_component(c, first, prefixes)
 
 
+def stored_class(c: Cursor) -> ast.ClassDefinition:
+    """The class that stands for the next token."""
+    stored = c.stored[c.starts[c.position]]
+    assert not isinstance(stored, ast.Annotation)
+    c.position += 1
+    return stored
+
+
 def _class_or_component(c: Cursor, first: int, prefixes: ast.Prefixes) -> ast.Element:
     if c.kinds[c.position] in CLASS_WORDS:
         element = class_definition(c, first, prefixes)
     else:
         element = _component_clause(c, first, prefixes)
     if prefixes.replaceable and c.kinds[c.position] == "constrainedby":
-        return _with_constraint(c, first, element)
+        element = _with_constraint(c, first, element)
+    if not isinstance(element, ast.ComponentClause):
+        c.marks.append(element)
     return element
 
 

@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from acausal.lang import ast
 from acausal.lang.cursor import Cursor, close_block, enter, expect
-from acausal.lang.lexer import EOF, IDENT
+from acausal.lang.lexer import EOF, IDENT, STORED_NOTE
 from acausal.lang.parser_expressions import (
     call_arguments,
     component_reference,
@@ -28,7 +28,7 @@ Branches = tuple[tuple[ast.Expression, tuple[T, ...]], ...]
 
 _ENDS = frozenset(
     "end else elseif elsewhen public protected equation algorithm external annotation".split()
-) | {EOF}
+) | {EOF, STORED_NOTE}
 """The tokens that end a list of equations or statements."""
 
 
@@ -189,13 +189,15 @@ def _multiple_assignment(c: Cursor) -> ast.Statement:
 
 
 def _break_statement(c: Cursor) -> ast.Statement:
+    first = c.position
     c.position += 1
-    return ast.BreakStatement(description(c), c.span_from(c.position - 1))
+    return ast.BreakStatement(description(c), c.span_from(first))
 
 
 def _return_statement(c: Cursor) -> ast.Statement:
+    first = c.position
     c.position += 1
-    return ast.ReturnStatement(description(c), c.span_from(c.position - 1))
+    return ast.ReturnStatement(description(c), c.span_from(first))
 
 
 def _if_statement(c: Cursor) -> ast.Statement:

@@ -10,13 +10,16 @@ from typing import cast
 
 from acausal.lang import ast
 from acausal.lang.cursor import Cursor, accept, close, enter, expect, identifier, new_name
-from acausal.lang.lexer import IDENT, STRING, string_value
+from acausal.lang.lexer import IDENT, STORED_NOTE, STRING, string_value
 from acausal.lang.parser_expressions import array_subscripts, component_reference, expression, type_specifier
 from acausal.lang.syntax_errors import problem, token_span
 
 NO_COMMENT = ast.Comment(None, None)
 NO_PREFIXES = ast.Prefixes()
 NO_CLASS_PREFIXES = ast.ClassPrefixes()
+
+LONG_ANNOTATION = 100
+"""Characters from which on an annotation is worth being read on its own."""
 
 CLASS_KINDS = frozenset("class model record block connector type package function operator".split())
 CLASS_WORDS = CLASS_KINDS | {"encapsulated", "partial", "expandable", "pure", "impure"}
@@ -44,7 +47,7 @@ def description_string(c: Cursor) -> str | None:
 def description(c: Cursor) -> ast.Comment:
     """A description string and an annotation, both optional."""
     kind = c.kinds[c.position]
-    if kind not in {STRING, "annotation"}:
+    if kind not in {STRING, "annotation", STORED_NOTE}:
         return NO_COMMENT
     return ast.Comment(description_string(c), annotation(c))
 
@@ -52,12 +55,24 @@ def description(c: Cursor) -> ast.Comment:
 def annotation(c: Cursor) -> ast.Annotation | None:
     """`annotation(...)`, or None."""
     first = c.position
-    if c.kinds[first] != "annotation":
-        return None
+    kind = c.kinds[first]
+    if kind != "annotation":
+        return stored_annotation(c) if kind == STORED_NOTE else None
     c.position = first + 1
     if c.kinds[c.position] != "(":
         raise c.error("`(` after `annotation`")
-    return ast.Annotation(class_modification(c), c.span_from(first))
+    notes = ast.Annotation(class_modification(c), c.span_from(first))
+    if notes.span.end - notes.span.start >= LONG_ANNOTATION:
+        c.marks.append(notes)
+    return notes
+
+
+def stored_annotation(c: Cursor) -> ast.Annotation:
+    """The annotation that stands for the next token."""
+    stored = c.stored[c.starts[c.position]]
+    assert isinstance(stored, ast.Annotation)
+    c.position += 1
+    return stored
 
 
 # --------------------------------------------------------------------------- modifications

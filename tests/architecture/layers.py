@@ -13,7 +13,7 @@ PACKAGE = ROOT / "acausal"
 # From the bottom up. A module belongs to the longest prefix that names it; it may import its own prefix and
 # anything in a lower layer. Two prefixes in one layer do not know each other.
 LAYERS: tuple[tuple[str, ...], ...] = (
-    ("acausal.errors", "acausal.symbolic.graphs"),
+    ("acausal.errors", "acausal.symbolic.graphs", "acausal.version"),
     ("acausal.symbolic.expressions",),
     ("acausal.lang",),
     ("acausal.symbolic",),
