@@ -25,6 +25,7 @@ from acausal.lang.modifiers import Context, modifier_of_arguments
 from acausal.lang.parser import parse_expression
 from acausal.lang.printer import print_class
 from acausal.lang.reading_time import seconds_reading
+from acausal.lang.restrictions_instances import check_connectors, check_instances
 from acausal.lang.scope import Root
 from acausal.lang.translate import Translator
 from acausal.lang.unit_check import check_units
@@ -113,13 +114,16 @@ def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str
     modifier = modifier_of_arguments(
         [parameter_modification(name, text) for name, text in parameters.items()], Context(scope, None)
     )
-    return translator.instances.complete(translator.instances.model(scope, modifier))
+    root = translator.instances.complete(translator.instances.model(scope, modifier))
+    check_instances(root, translator.instances.check_redeclared)
+    return root
 
 
 def flatten_and_check(translator: Translator, instance: Instance) -> tuple[FlatModel, tuple[Diagnostic, ...]]:
     """The proven flat model, and the warnings about it. A provable unit clash is an error."""
     flat = flatten(translator, instance)
     verify(flat)
+    check_connectors(instance)
     units = check_units(flat)
     errors = [d for d in units if d.severity == "error"]
     if errors:

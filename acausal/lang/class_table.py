@@ -23,6 +23,7 @@ from acausal.lang.modifiers import (
     not_replaceable,
     redeclaration_of,
 )
+from acausal.lang.redeclarations import check_class_element, check_component_element
 from acausal.lang.restrictions import check_base, check_class, check_combination
 
 if TYPE_CHECKING:  # a scope has a table of elements, an element knows its scope
@@ -34,7 +35,7 @@ class ComponentEntry:
     """A declared component: the class it was written in, and what modifies it.
 
     `through` holds the modifiers of `extends` clauses, outermost first; `below` those that its own modifiers
-    override: of its constraining clause, and of the declaration it replaces by `redeclare`.
+    override: of its constraining clause, and of the declaration it `replaces` by `redeclare`.
     """
 
     name: str
@@ -45,7 +46,7 @@ class ComponentEntry:
     protected: bool
     through: tuple[Modifier, ...] = ()
     below: tuple[Modifier, ...] = ()
-    replaces: bool = False
+    replaces: ComponentEntry | None = None
 
     @property
     def constraint(self) -> Modifier:
@@ -101,6 +102,8 @@ class Table:
     sections: list[tuple[Section, Scope]] = field(default_factory=list[tuple[Section, "Scope"]])
     bases: list[Base] = field(default_factory=list[Base])
     external: ast.External | None = None
+    hidden: set[str] = field(default_factory=set[str])
+    """Names of classes that a protected `extends` inherits."""
     missing: set[str] = field(default_factory=set[str])
     """Names of classes that were looked for and are not there."""
 
@@ -190,6 +193,7 @@ def _inherit(scope: Scope, table: Table, written: Base, protected: bool) -> None
         _add_inherited(scope, table, entry, static.children.get(name), protected)
     for name, entry in inherited.classes.items():
         table.classes.setdefault(name, entry)
+    table.hidden.update(inherited.classes if protected else inherited.hidden)
     table.sections += inherited.sections
     table.external = table.external or inherited.external
 
@@ -248,9 +252,10 @@ def _replacing(old: ComponentEntry, new: ComponentEntry) -> ComponentEntry:
     """The `redeclare` element `new` in place of the inherited `old`."""
     if not old.clause.prefixes.replaceable:
         raise not_replaceable(old.name, new.declaration.span, old.declaration.span)
+    check_component_element(old, new)
     below = (*new.below, old.constraint)
     return ComponentEntry(
-        new.name, new.clause, new.declaration, new.scope, new.own, new.protected, old.through, below, True
+        new.name, new.clause, new.declaration, new.scope, new.own, new.protected, old.through, below, old
     )
 
 
@@ -300,13 +305,14 @@ def _redeclare_classes(scope: Scope, table: Table, definition: ast.LongClass) ->
             raise _nothing_inherited(element.name, element.span)
         if not entry.node.definition.prefixes.replaceable:
             raise not_replaceable(element.name, element.span, entry.node.definition.span)
+        check_class_element(entry, element, entry.node.definition.prefixes.protected)
         table.classes[element.name] = entry
 
 
 def _check_redeclarations(scope: Scope, table: Table) -> None:
     """A `redeclare` component needs something inherited to redeclare."""
     for entry in table.components.values():
-        if _is_redeclare(entry, scope) and not entry.replaces:
+        if _is_redeclare(entry, scope) and entry.replaces is None:
             raise _nothing_inherited(entry.name, entry.declaration.span)
 
 

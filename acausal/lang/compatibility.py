@@ -11,29 +11,55 @@ from acausal.errors import AcausalError, Span, TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.instance import Instance
+from acausal.lang.redeclarations import declared_constraints
 from acausal.lang.scope import Scope
-from acausal.lang.simple_types import SimpleTypes
+from acausal.lang.simple_types import SimpleType, SimpleTypes
 
 _MOST_LEVELS = 4
 _MODELS = ("model", "block", "class")
 
 
-def check_class_redeclaration(scope: Scope, types: SimpleTypes) -> None:
-    """A redeclared class against `scope.constraint`. Raises `redeclare.incompatible`."""
-    constraint = scope.constraint
-    assert constraint is not None
-    why = _difference(scope, constraint, types, 0)
+def check_class_constraints(scope: Scope, types: SimpleTypes) -> None:
+    """A class against its constraining clause and what it redeclares. Raises `redeclare.incompatible`."""
+    _check_declaration(scope, types)
+    new = scope
+    for constraint in scope.constraints:
+        why = _difference(new, constraint, types, 0)
+        if why:
+            raise _incompatible(f"`{scope.node.name}` is redeclared as", new, constraint, scope.span, why)
+        new = constraint
+
+
+def _check_declaration(scope: Scope, types: SimpleTypes) -> None:
+    definition = scope.definition
+    if definition.constraint is None or scope.enclosing is None:
+        return
+    constraint = scope.enclosing.find_class(definition.constraint.type)
+    declared = scope.table.bases[0].scope if isinstance(definition, ast.ShortClass) else scope
+    why = _difference(declared, constraint, types, 0)
     if why:
-        raise _incompatible(f"`{scope.node.name}` is redeclared as", scope, constraint, scope.span, why)
+        raise _incompatible(f"`{scope.node.name}` is declared as", declared, constraint, scope.span, why)
 
 
 def check_component_redeclaration(
-    path: str, new: Scope, constraint: Scope, span: Span, types: SimpleTypes
+    path: str, new: Scope, constraints: tuple[Scope, ...], span: Span, types: SimpleTypes
 ) -> None:
-    """A redeclared component's type against its constraining type. Raises `redeclare.incompatible`."""
-    why = _difference(new, constraint, types, 0)
-    if why:
-        raise _incompatible(f"`{path}` is redeclared with the type", new, constraint, span, why)
+    """A component's type against its constraining types, each of which must be a subtype of the next.
+
+    Raises `redeclare.incompatible`.
+    """
+    for constraint in constraints:
+        why = _difference(new, constraint, types, 0)
+        if why:
+            raise _incompatible(f"`{path}` has the type", new, constraint, span, why)
+        new = constraint
+
+
+def check_component_declaration(entry: ComponentEntry, type_: Scope, types: SimpleTypes) -> None:
+    """A declaration against its constraining clause and what it replaces. Raises `redeclare.incompatible`."""
+    if entry.clause.constraint is not None or entry.replaces is not None:
+        own = declared_constraints(entry)
+        check_component_redeclaration(entry.name, type_, own, entry.declaration.span, types)
 
 
 def check_inner(path: str, inner: Instance, outer: Scope, span: Span, types: SimpleTypes) -> None:
@@ -66,12 +92,16 @@ def _difference(new: Scope, old: Scope, types: SimpleTypes, level: int) -> str:
     """Why `new` cannot stand for `old`; empty if it can."""
     if new.node is old.node or old.node in new.table.lineage or level > _MOST_LEVELS:
         return ""
-    simple, wanted = types.of(new), types.of(old)
+    simple = types.of(new)
+    if isinstance(old.definition, ast.EnumerationClass) and old.definition.literals is None:
+        return "" if simple is not None and simple.scalar.is_enumeration else "it is no enumeration"
+    wanted = types.of(old)
     if simple is not None and wanted is not None:
         if simple.scalar.literals == wanted.scalar.literals and (
             simple.scalar.is_enumeration or simple.scalar == wanted.scalar
         ):
-            return ""
+            same = level > 0 or _rank(simple) == _rank(wanted)  # of components, all dimensions are compared
+            return "" if same else "the numbers of dimensions differ"
         return f"one is {simple.scalar}, the other {wanted.scalar}"
     if (simple is None) != (wanted is None) and (old.table.components or wanted is not None):
         return "only one of them is a simple type"
@@ -103,16 +133,16 @@ def _entry_difference(mine: ComponentEntry, entry: ComponentEntry, types: Simple
         return "one is a flow variable, the other is not"
     if mine.clause.causality != entry.clause.causality:
         return "one is an input or an output, the other is not the same"
-    if _dimensions(mine) != _dimensions(entry):
+    new, old = mine.scope.find_class(mine.clause.type), entry.scope.find_class(entry.clause.type)
+    if _dimensions(mine) + _rank(types.of(new)) != _dimensions(entry) + _rank(types.of(old)):
         return "the numbers of dimensions differ"
     if mine.clause.variability == "" and entry.clause.variability in ("parameter", "constant"):
         return f"one is a variable, the other a {entry.clause.variability}"
-    return _difference(
-        mine.scope.find_class(mine.clause.type),
-        entry.scope.find_class(entry.clause.type),
-        types,
-        level + 1,
-    )
+    return _difference(new, old, types, level + 1)
+
+
+def _rank(simple: SimpleType | None) -> int:
+    return 0 if simple is None else sum(len(subscripts.items) for subscripts, _ in simple.dimensions)
 
 
 def _dimensions(entry: ComponentEntry) -> int:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from acausal.lang import ast
+from acausal.lang.access import is_protected
 from acausal.lang.formals import record_class
 from acausal.lang.instance import Array, Member, Prefixes
+from acausal.lang.instance_errors import modifies_protected
 from acausal.lang.light import light_object
 from acausal.lang.lookup_errors import unknown_target
 from acausal.lang.modifiers import NO_MODIFIER, Context, Modifier, element_of, merge
@@ -53,10 +55,15 @@ def array_of(
 
 
 def check_targets(scope: Scope, modifier: Modifier) -> None:
-    """Every modification must address an element of the class. Raises `lookup.unknown-modified-element`."""
+    """Raise unless a modification from outside addresses public elements of the class."""
     for name, child in modifier.children.items():
-        if name not in scope.table.components and scope.find_local(name) is None:
+        if name in scope.table.components:
+            continue
+        entry = scope.find_class_entry(name)
+        if entry is None:
             raise unknown_target(name, scope, child.span or scope.span)
+        if is_protected(scope, entry):
+            raise modifies_protected(name, scope, child)
 
 
 def description_of(scope: Scope) -> str:

@@ -59,12 +59,12 @@ def outer_modified(path: str, span: Span | None) -> AcausalError:
     )
 
 
-def modifies_protected(path: str, modifier: Modifier, entry: ComponentEntry) -> AcausalError:
+def modifies_protected(path: str, scope: Scope, modifier: Modifier) -> AcausalError:
     """The error for a modification of a protected element from outside (4.1)."""
     return fail(
         TypeProblem,
         "lookup.protected",
-        f"`{path}` is protected in `{entry.scope.path}` and cannot be modified from outside",
+        f"`{path}` is protected in `{scope.path}` and cannot be modified from outside",
         modifier.span,
         names=[path],
         hint="make it public, or modify it in an `extends` clause",

@@ -13,7 +13,12 @@ from acausal.lang import ast
 from acausal.lang.array_sizes import array_shape
 from acausal.lang.automatic_inner import AutomaticInners, no_outer_around
 from acausal.lang.class_table import ComponentEntry
-from acausal.lang.compatibility import check_class_redeclaration, check_component_redeclaration, check_inner
+from acausal.lang.compatibility import (
+    check_class_constraints,
+    check_component_declaration,
+    check_component_redeclaration,
+    check_inner,
+)
 from acausal.lang.component_plan import Plan, array_of, check_targets, description_of, spread_record
 from acausal.lang.component_prefixes import (
     component_prefixes,
@@ -45,6 +50,7 @@ from acausal.lang.modifiers import (
     not_replaceable,
     overrides_final,
 )
+from acausal.lang.redeclarations import check_not_constant, declared_constraints, redeclared_constraints
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
 from acausal.lang.translation import Translation
@@ -122,10 +128,10 @@ class Instantiator:
         return self._types.of(scope)
 
     def check_redeclared(self, scope: Scope) -> None:
-        """Compare a redeclared class with its constraining class, once."""
-        if scope.constraint is not None and scope not in self._checked:
+        """Compare a class with its constraining classes, once."""
+        if scope not in self._checked:
             self._checked.add(scope)
-            check_class_redeclaration(scope, self._types)
+            check_class_constraints(scope, self._types)
 
     def size_so_far(self, instance: Instance, name: str, dimension: int) -> int | None:
         """The size in `dimension` (from 1) of an array being built, if it is already known."""
@@ -241,7 +247,7 @@ class Instantiator:
         """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""
         modifier = instance.modifier.children.get(entry.name, NO_MODIFIER)
         if entry.protected and not modifier.is_empty and instance.parent is not None:
-            raise modifies_protected(path, modifier, entry)
+            raise modifies_protected(path, entry.scope, modifier)
         for through in entry.through:
             modifier = merge(modifier, bound(through, instance), path)
         if entry.clause.prefixes.final and not modifier.is_empty:
@@ -251,7 +257,9 @@ class Instantiator:
     def _type_of(self, entry: ComponentEntry) -> Scope:
         found = self._type_scopes.get(entry)
         if found is None:
-            found = self._type_scopes[entry] = entry.scope.find_class(entry.clause.type)
+            found = self._type_scopes[entry] = entry.scope.find_class(entry.clause.type, complete=True)
+            check_component_declaration(entry, found, self._types)
+            self.check_redeclared(found)
         return found
 
     def _prefixes_of(
@@ -273,10 +281,9 @@ class Instantiator:
         assert redeclaration is not None  # the caller has looked
         assert instance is not None
         element = redeclaration.element
-        if not entry.clause.prefixes.replaceable:
-            raise not_replaceable(path, redeclaration.span, entry.declaration.span)
         if not isinstance(element, ast.ComponentClause):
             raise not_a_component(path, redeclaration.span)
+        check_not_constant(entry, redeclaration.span)
         where, inside = redeclaration.context.scope, redeclaration.context.instance
         own = modifier_of(element.declarations[0].modification, redeclaration.context)
         below = merge(own, bound(entry.constraint, instance), path)
@@ -284,9 +291,10 @@ class Instantiator:
             outside.binding, outside.children, None, outside.final, outside.span, outside.beside
         )
         new = where.find_class(element.type)
-        constraint = entry.clause.constraint
-        old = self._type_of(entry) if constraint is None else entry.scope.find_class(constraint.type)
-        check_component_redeclaration(path, new, old, redeclaration.span, self._types)
+        if not entry.clause.prefixes.replaceable and new is not self._type_of(entry):
+            raise not_replaceable(path, redeclaration.span, entry.declaration.span)
+        constraints = (*redeclared_constraints(redeclaration), *declared_constraints(entry))
+        check_component_redeclaration(path, new, constraints, redeclaration.span, self._types)
         declaration = element.declarations[0]
         has_sizes = declaration.dimensions is not None or element.dimensions is not None
         sized = declaration if has_sizes else entry.declaration

@@ -77,6 +77,18 @@ def unknown_import(target: str, known: Sequence[str], span: Span) -> AcausalErro
     )
 
 
+def ambiguous_import(name: str, span: Span) -> AcausalError:
+    """The error for a name that two imports `A.*` make visible (5.3.1)."""
+    return fail(
+        LookupProblem,
+        "import.ambiguous",
+        f"`{name}` is found in more than one package imported with `.*`",
+        span,
+        names=[name],
+        hint=f"import it by name: `import Package.{name}`",
+    )
+
+
 def component_as_class(name: str, declared: Span, span: Span) -> AcausalError:
     """The error for a component where a class is needed."""
     return fail(

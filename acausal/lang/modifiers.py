@@ -64,13 +64,26 @@ class Binding:
 
 @light_object
 class Redeclaration:
-    """`redeclare ...` or a `replaceable` inside a modification, in its context; `node` is that of a class."""
+    """`redeclare ...` or a `replaceable` inside a modification, in its context; `node` is that of a class.
+
+    `constraint` is its own constraining clause, `previous` what it redeclares again if that had one (7.3.2).
+    """
 
     element: ast.ClassDefinition | ast.ComponentClause
     context: Context
     span: Span
     replaceable: bool
     node: ClassNode | None
+    constraint: ast.Constraint | None = None
+    previous: Redeclaration | None = None
+
+    def again(self, previous: Redeclaration) -> Redeclaration:
+        """The same after another redeclaration, of which only the constraint counts."""
+        if previous.constraint is None and previous.previous is None:
+            return self
+        return Redeclaration(
+            self.element, self.context, self.span, self.replaceable, self.node, self.constraint, previous
+        )
 
 
 @light_object
@@ -136,7 +149,9 @@ def _argument(
     if isinstance(argument, ast.ElementRedeclaration):
         element = argument.element
         is_class = isinstance(element, ast.ClassDefinition)
-        redeclaration = redeclaration_of(element, context, argument.span, argument.replaceable)
+        redeclaration = redeclaration_of(
+            element, context, argument.span, argument.replaceable, argument.constraint
+        )
         name = element.name if is_class else element.declarations[0].name
         return name, Modifier(redeclaration=redeclaration, final=argument.final, span=argument.span)
     tree = Modifier(span=argument.span)
@@ -152,12 +167,16 @@ def _argument(
 
 
 def redeclaration_of(
-    element: ast.ClassDefinition | ast.ComponentClause, context: Context, span: Span, replaceable: bool
+    element: ast.ClassDefinition | ast.ComponentClause,
+    context: Context,
+    span: Span,
+    replaceable: bool,
+    constraint: ast.Constraint | None = None,
 ) -> Redeclaration:
     """A redeclaration written in `context`."""
     is_class = isinstance(element, ast.ClassDefinition)
     node = ClassNode(element, context.scope.node, None) if is_class else None
-    return Redeclaration(element, context, span, replaceable, node)
+    return Redeclaration(element, context, span, replaceable, node, constraint or element.constraint)
 
 
 def _as_each(tree: Modifier) -> Modifier:
@@ -214,6 +233,8 @@ def merge(outer: Modifier, inner: Modifier, path: str = "") -> Modifier:
     else:
         binding = inner.binding
         beside = None if inner.beside is None else inner.beside.union(outer.children)
+    if mine is not None and other is not None:
+        other = other.again(mine)
     return Modifier(binding, children, other or mine, outer.final, outer.span or inner.span, beside)
 
 
@@ -330,4 +351,6 @@ def _bound_redeclaration(redeclaration: Redeclaration, instance: Instance) -> Re
         redeclaration.span,
         redeclaration.replaceable,
         redeclaration.node,
+        redeclaration.constraint,
+        redeclaration.previous,
     )

@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from acausal.errors import TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import RELATIONS, as_boolean, binary, choose
-from acausal.lang.flat import INTEGER, REAL
+from acausal.lang.flat import INTEGER, REAL, ScalarType
 from acausal.lang.operator_records import binary_record
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, Value, scalar
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
+
+EVENT_FUNCTIONS = ("integer", "floor", "ceil", "div", "mod", "rem")
 
 
 def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyValue:
@@ -37,13 +39,22 @@ def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyVal
 def _operation(
     translation: Translation, node: ast.Binary, left: AnyValue, right: AnyValue, env: Env
 ) -> AnyValue:
-    """One binary operation. Relations in functions raise no events (8.5)."""
+    """One binary operation. Relations of Reals in functions raise no events (8.5), others never do."""
     if not isinstance(left, Value) or not isinstance(right, Value):
         return binary_record(translation, node.operator, left, right, node.span, env)
     value = binary(node.operator, left, right, node.span)
-    if env.depth and node.operator in RELATIONS and not value.shape:
+    if env.depth and node.operator in RELATIONS and not value.shape and REAL in (_type(left), _type(right)):
         return scalar(value.type, ex.no_event(value.item))
     return value
+
+
+def without_events(value: Value) -> Value:
+    """`noEvent` of every element: in functions, `integer` and the like raise no events (8.5)."""
+    return Value(value.type, value.shape, tuple([ex.no_event(item) for item in value.items]))
+
+
+def _type(value: AnyValue) -> ScalarType | None:
+    return value.type if isinstance(value, Value) else None
 
 
 def _long_sum(

@@ -95,6 +95,18 @@ def absent(member: Absent, span: Span) -> AcausalError:
     )
 
 
+def conditional(entry: ComponentEntry, part: ast.NamePart) -> AcausalError:
+    """The error for a component with a condition in an expression (4.4.5)."""
+    return fail(
+        TypeProblem,
+        "lookup.conditional",
+        f"`{part.name}` has a condition (`if`), so it may only be connected and modified",
+        part.span,
+        names=[part.name],
+        hint=f"it is declared at {entry.declaration.span}; see Modelica 3.6, 4.4.5",
+    )
+
+
 def component_as_value(member: Instance, span: Span) -> AcausalError:
     """The error for a component of a model used as a value."""
     return fail(

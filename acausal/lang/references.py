@@ -11,14 +11,17 @@ from itertools import product
 
 from acausal.errors import Span
 from acausal.lang import ast
+from acausal.lang.access import check_complete, check_inside
 from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.class_table import ClassEntry
 from acausal.lang.flat import ScalarType, Variability
-from acausal.lang.instance import Absent, Array, Instance, Leaf, Member
+from acausal.lang.instance import Absent, Array, Instance, Leaf, Member, Outer
 from acausal.lang.light import light_object
 from acausal.lang.lookup_errors import unknown_name
 from acausal.lang.reference_errors import (
     absent,
     component_as_value,
+    conditional,
     no_component,
     no_such_element,
     not_a_constant,
@@ -97,15 +100,12 @@ def _from_found(
 
 
 def _element(scope: Scope, part: ast.NamePart) -> FoundComponent | Scope:
-    component = scope.table.components.get(part.name)
-    if component is not None:
-        if component.protected:
-            raise protected(scope, part, scope.path)
-        return FoundComponent(component, scope)
-    entry = scope.find_class_entry(part.name)
+    entry = scope.find_local(part.name)
     if entry is None:
         raise no_such_element(part, scope)
-    return scope.nested(entry)
+    check_complete(scope, part.name, part.span)
+    check_inside(scope, entry, part.span)
+    return scope.nested(entry) if isinstance(entry, ClassEntry) else FoundComponent(entry, scope)
 
 
 def _literal(translation: Translation, scope: Scope, part: ast.NamePart) -> EnumerationLiteralFound | None:
@@ -131,6 +131,23 @@ def _constant(
     member = translation.instances.member(holder, entry.name)
     assert member is not None
     return select(translation, member, parts, env, constant=holder.constants)
+
+
+def refuse_conditional(node: ast.ComponentReference, env: Env) -> None:
+    """A component with a condition is only modified and connected (4.4.5). Raises `lookup.conditional`."""
+    instance = env.context.instance
+    if node.global_:
+        return
+    for part in node.parts:
+        entry = None if instance is None else instance.scope.table.components.get(part.name)
+        if instance is None or entry is None:
+            return
+        if entry.declaration.condition is not None:
+            raise conditional(entry, part)
+        member = instance.members.get(part.name)
+        while isinstance(member, (Array, Outer)):
+            member = member.target if isinstance(member, Outer) else next(iter(member.items), None)
+        instance = member if isinstance(member, Instance) else None
 
 
 # --------------------------------------------------------------------------- walking members

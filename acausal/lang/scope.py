@@ -9,21 +9,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from acausal.errors import LookupProblem, Span, fail
+from acausal.errors import Span
 from acausal.lang import ast
+from acausal.lang.access import check_complete, check_import, check_inside, is_protected
 from acausal.lang.class_table import ClassEntry, ComponentEntry, Table, build_table
 from acausal.lang.imports import Imported
 from acausal.lang.library import ClassNode, Library
 from acausal.lang.light import light_object
 from acausal.lang.lookup_errors import (
+    ambiguous_import,
     component_as_class,
     cyclic_extends,
     unknown_import,
     unknown_name,
     unknown_nested,
 )
-from acausal.lang.modifiers import NO_MODIFIER, Context, Modifier, merge, modifier_of, not_replaceable
+from acausal.lang.modifiers import NO_MODIFIER, Modifier, merge
 from acausal.lang.predefined import PREDEFINED, PREDEFINED_FILE, predefined
+from acausal.lang.redeclarations import kept_modifier, redeclared_class
 
 
 @light_object
@@ -76,7 +79,8 @@ class Scope:
     """A class in its surroundings; see the module's text. `enclosing` is None for a top-level class.
 
     `modifier` holds what outside modifications say about the classes inside; `below` the modifications that
-    a redeclared class keeps from what it replaces, and `constraint` the class it must be compatible with.
+    a redeclared class keeps from what it replaces, and `constraints` the classes that it must be compatible
+    with, and each with the next.
     """
 
     __slots__ = (
@@ -85,7 +89,7 @@ class Scope:
         "_nested",
         "_table",
         "below",
-        "constraint",
+        "constraints",
         "enclosing",
         "modifier",
         "node",
@@ -99,14 +103,14 @@ class Scope:
         root: Root,
         modifier: Modifier = NO_MODIFIER,
         below: Modifier = NO_MODIFIER,
-        constraint: Scope | None = None,
+        constraints: tuple[Scope, ...] = (),
     ) -> None:
         self.node = node
         self.enclosing = enclosing
         self.root = root
         self.modifier = modifier
         self.below = below
-        self.constraint = constraint
+        self.constraints = constraints
         self._table: Table | None = None
         self._busy = False
         self._nested: dict[str, Scope] = {}
@@ -145,6 +149,11 @@ class Scope:
                 self._busy = False
         return self._table
 
+    @property
+    def known_table(self) -> Table | None:
+        """The table, unless the bases of this class are being resolved just now."""
+        return None if self._table is None and self._busy else self.table
+
     # ------------------------------------------------------------------ other scopes
 
     def nested(self, entry: ClassEntry) -> Scope:
@@ -160,7 +169,7 @@ class Scope:
         """The one scope of a nested class that nothing modifies from outside."""
         found = self._nested.get(entry.name)
         if found is None or found.node is not entry.node:
-            below = _kept(entry) if entry.node.definition.constraint is not None else NO_MODIFIER
+            below = kept_modifier(entry) if entry.node.definition.constraint is not None else NO_MODIFIER
             found = self._nested[entry.name] = Scope(entry.node, self, self.root, NO_MODIFIER, below)
         return found
 
@@ -180,7 +189,7 @@ class Scope:
         if key not in self._modified:
             outside = merge(Modifier(children=relevant), self.modifier)
             self._modified[key] = Scope(
-                self.node, self.enclosing, self.root, outside, self.below, self.constraint
+                self.node, self.enclosing, self.root, outside, self.below, self.constraints
             )
         return self._modified[key]
 
@@ -249,8 +258,13 @@ class Scope:
             scope = scope.enclosing
         return self.root.top(name)
 
-    def find_class(self, reference: ast.ComponentReference, what: str = "class") -> Scope:
-        """The class (or function) a dotted name refers to. Raises `LookupProblem`."""
+    def find_class(
+        self, reference: ast.ComponentReference, what: str = "class", complete: bool = False
+    ) -> Scope:
+        """The class (or function) a dotted name refers to. Raises `LookupProblem`.
+
+        `complete` says that it is used in the model that is built: classes looked into must not be partial.
+        """
         first = reference.parts[0].name
         found = self.root.top(first) if reference.global_ else self.find(first)
         if found is None:
@@ -259,7 +273,9 @@ class Scope:
             raise component_as_class(first, found.entry.declaration.span, reference.span)
         current = found
         for part in reference.parts[1:]:
-            current = current.find_nested(part.name, part.span)
+            if complete:
+                check_complete(current, part.name, part.span)
+            current = current.find_inside(part.name, part.span)
         return current
 
     def base_class(self, reference: ast.ComponentReference) -> Scope:
@@ -275,7 +291,7 @@ class Scope:
         if found is None:
             raise unknown_name(reference.parts[0].name, self, reference.span, "class")
         for part in reference.parts[1:]:
-            found = found.find_nested(part.name, part.span)
+            found = found.find_inside(part.name, part.span)
         return found
 
     def find_nested(self, name: str, span: Span) -> Scope:
@@ -285,6 +301,14 @@ class Scope:
             raise unknown_nested(name, self, span)
         return self.nested(entry)
 
+    def find_inside(self, name: str, span: Span) -> Scope:
+        """As `find_nested`, for dot notation in a text. Raises `lookup.protected`, `lookup.not-package`."""
+        found = self.find_nested(name, span)
+        entry = self.find_class_entry(name)
+        if entry is not None:
+            check_inside(self, entry, span)
+        return found
+
 
 Found = FoundComponent | Scope
 
@@ -293,73 +317,53 @@ def _found(entry: ComponentEntry | ClassEntry, where: Scope) -> Found:
     return where.nested(entry) if isinstance(entry, ClassEntry) else FoundComponent(entry, where)
 
 
-# --------------------------------------------------------------------------- redeclared classes
-
-
 def _modified_class(entry: ClassEntry, root: Root) -> Scope:
     """A nested class that is redeclared or modified from outside."""
-    modifier = entry.modifier
-    redeclaration = modifier.redeclaration
-    if redeclaration is None:
-        return Scope(entry.node, entry.scope, root, modifier)
-    rest = Modifier(children=modifier.children) if modifier.children else NO_MODIFIER
-    if redeclaration.node is None:
-        raise fail(
-            LookupProblem,
-            "redeclare.kind",
-            f"`{entry.name}` is a class, but it is redeclared as a component",
-            redeclaration.span,
-            names=[entry.name],
-        )
-    if not entry.node.definition.prefixes.replaceable:
-        raise not_replaceable(entry.name, redeclaration.span, entry.node.definition.span)
-    where = redeclaration.context.scope
-    return Scope(redeclaration.node, where, root, rest, _kept(entry), _constraint(entry))
-
-
-def _kept(entry: ClassEntry) -> Modifier:
-    """The modifications that every redeclaration of a replaceable class keeps (7.3.2)."""
-    definition = entry.node.definition
-    if definition.constraint is not None:
-        return modifier_of(definition.constraint.modification, Context(entry.scope, None))
-    if isinstance(definition, ast.ShortClass):
-        return modifier_of(definition.modification, Context(entry.scope, None))
-    return NO_MODIFIER
-
-
-def _constraint(entry: ClassEntry) -> Scope:
-    """The class that every redeclaration of a replaceable class must be compatible with."""
-    constraint = entry.node.definition.constraint
-    if constraint is not None:
-        return entry.scope.find_class(constraint.type)
-    return entry.scope.plain_nested(entry)
+    found = redeclared_class(entry)
+    return Scope(found.node, found.enclosing, root, found.modifier, found.below, found.constraints)
 
 
 # --------------------------------------------------------------------------- imports
 
 
 def _find_import(scope: Scope, name: str) -> Found | None:
+    """What the class's imports say of a name. Raises `import.ambiguous`."""
     imports = scope.node.imports
     named = imports.named.get(name)
     if named is not None:
         return _imported(scope.root, named)
+    found: Found | None = None
     for clause in imports.wildcards:
         package = _imported(scope.root, Imported(clause.name, clause))
         entry = package.find_local(name) if isinstance(package, Scope) else None
-        if entry is not None and isinstance(package, Scope):
-            return _found(entry, package)
-    return None
+        if entry is None or not isinstance(package, Scope) or is_protected(package, entry):
+            continue
+        check_import(package, f"{package.path}.{name}", clause.span)
+        other = _found(entry, package)
+        if found is not None and not _same(found, other):
+            raise ambiguous_import(name, clause.span)
+        found = other
+    return found
+
+
+def _same(a: Found, b: Found) -> bool:
+    if isinstance(a, FoundComponent) and isinstance(b, FoundComponent):
+        return a.entry.declaration is b.entry.declaration
+    return isinstance(a, Scope) and isinstance(b, Scope) and a.node is b.node
 
 
 def _imported(root: Root, imported: Imported) -> Found:
     first, *rest = imported.target
     current = root.top(first)
+    shown = ".".join(imported.target)
     if current is None:
-        shown = ".".join(imported.target)
         raise unknown_import(shown, root.library.top_level_names(), imported.clause.span)
     for i, part in enumerate(rest, start=1):
         found = current.find_local(part)
+        if i == len(rest) and not imported.clause.wildcard:
+            check_import(current, shown, imported.clause.span)
         if isinstance(found, ComponentEntry) and i == len(rest):
+            check_inside(current, found, imported.clause.span)
             return FoundComponent(found, current)
-        current = current.find_nested(part, imported.clause.span)
+        current = current.find_inside(part, imported.clause.span)
     return current

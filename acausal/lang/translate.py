@@ -21,13 +21,14 @@ from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.connection_calls import CONNECTION_CALLS
 from acausal.lang.flat import INTEGER, REAL, Variability
 from acausal.lang.formals import Formal
+from acausal.lang.function_lookup import function_scope
 from acausal.lang.functions import call_function, construct_record
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
 from acausal.lang.modifiers import Binding, Context
 from acausal.lang.network import Network
-from acausal.lang.operations import binary_value, if_value
+from acausal.lang.operations import EVENT_FUNCTIONS, binary_value, if_value, without_events
 from acausal.lang.operator_records import construct, sum_of_records, text_of, unary_record
 from acausal.lang.parameter_errors import (
     bad_part,
@@ -38,7 +39,7 @@ from acausal.lang.parameter_errors import (
     too_many_steps,
 )
 from acausal.lang.record_arrays import REARRANGING, rearranged
-from acausal.lang.references import member_value, resolve
+from acausal.lang.references import member_value, refuse_conditional, resolve
 from acausal.lang.scope import FoundComponent, Root, Scope
 from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import subscripted
@@ -270,7 +271,9 @@ class Translator:
                 return self._local(local, node, env)
             if first.name == "time" and len(node.parts) == 1:
                 return scalar(REAL, ex.TIME)
-        return member_value(self, resolve(self, node, env), node)
+        found = resolve(self, node, env)
+        refuse_conditional(node, env)
+        return member_value(self, found, node)
 
     def _local(self, value: AnyValue, node: ast.ComponentReference, env: Env) -> AnyValue:
         for i, part in enumerate(node.parts):
@@ -321,7 +324,8 @@ class Translator:
         """A built-in function of values; some take records too."""
         values = [self.value(arg, env) for arg in node.arguments]
         if all(isinstance(value, Value) for value in values):
-            return builtin(values, node.span)
+            value = builtin(values, node.span)
+            return without_events(value) if env.depth and name in EVENT_FUNCTIONS else value
         if name in REARRANGING:
             return rearranged(name, values, node.span)
         if name == "sum" and len(values) == 1:
@@ -331,7 +335,7 @@ class Translator:
         )
 
     def _user_call(self, node: ast.Call, env: Env) -> AnyValue:
-        scope = env.context.scope.find_class(node.function, "function")
+        scope = function_scope(self, node.function, env)
         if scope.kind == "record":
             constructed = construct(self, scope, node, env)
             return construct_record(self, scope, node, env) if constructed is None else constructed
@@ -343,7 +347,7 @@ class Translator:
 
     def results(self, node: ast.Call, env: Env) -> list[AnyValue]:
         """All outputs of a function call, in order. Raises `function.recursion`."""
-        return self.call(env.context.scope.find_class(node.function, "function"), node, env)
+        return self.call(function_scope(self, node.function, env), node, env)
 
     def call(self, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:
         """As `results`, of the function `scope`."""

@@ -1,4 +1,4 @@
-// error: lookup.absent line 7 names a
+// error: lookup.conditional line 7 names a
 model A
   Real x = 1;
 end A;

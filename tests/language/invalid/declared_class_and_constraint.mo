@@ -1,0 +1,12 @@
+// error: redeclare.incompatible line 10 names A, B
+model A
+  Real x = 1;
+end A;
+model B
+  Real x = 1;
+  Real y = 2;
+end B;
+model Test
+  replaceable model M = A constrainedby B;
+  M m;
+end Test;
