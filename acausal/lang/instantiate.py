@@ -14,7 +14,6 @@ from acausal.lang.array_sizes import array_shape
 from acausal.lang.automatic_inner import AutomaticInners, no_outer_around
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.compatibility import (
-    check_class_constraints,
     check_component_declaration,
     check_component_redeclaration,
     check_inner,
@@ -51,7 +50,7 @@ from acausal.lang.modifiers import (
     overrides_final,
 )
 from acausal.lang.redeclarations import check_not_constant, declared_constraints, redeclared_constraints
-from acausal.lang.restrictions_functions import complete_formals
+from acausal.lang.restrictions_functions import check_used
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
 from acausal.lang.translation import Translation
@@ -132,9 +131,7 @@ class Instantiator:
         """Compare a class with its constraining classes, once."""
         if scope not in self._checked:
             self._checked.add(scope)
-            check_class_constraints(scope, self._types)
-            if scope.kind == "function":
-                complete_formals(scope, self._types)
+            check_used(scope, self._types)
 
     def size_so_far(self, instance: Instance, name: str, dimension: int) -> int | None:
         """The size in `dimension` (from 1) of an array being built, if it is already known."""

@@ -9,12 +9,20 @@ from dataclasses import replace
 
 from acausal.errors import AcausalError, TypeProblem, fail
 from acausal.lang.class_table import ComponentEntry
+from acausal.lang.compatibility import check_class_constraints
 from acausal.lang.flat import Causality
 from acausal.lang.predefined import EXTERNAL_OBJECT
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleTypes
 
 _KINDS = ("record", "type", "function")
+
+
+def check_used(scope: Scope, types: SimpleTypes) -> None:
+    """What is checked of a class when it is used for the first time: its constraints, a function's formals."""
+    check_class_constraints(scope, types)
+    if scope.kind == "function":
+        complete_formals(scope, types)
 
 
 def complete_formals(function: Scope, types: SimpleTypes) -> None:
