@@ -19,7 +19,7 @@ _KINDS = ("record", "type", "function")
 
 
 def check_used(scope: Scope, types: SimpleTypes) -> None:
-    """What is checked of a class when it is used for the first time: its constraints, a function's formals."""
+    """What is checked at the first use of a class: its constraints, and the formals of a function."""
     check_class_constraints(scope, types)
     if scope.kind == "function":
         complete_formals(scope, types)
