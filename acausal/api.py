@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, SupportsIndex, TypeAlias
+from typing import TYPE_CHECKING, SupportsIndex, TypeAlias, cast
 
 from acausal.errors import Diagnostic, LookupProblem, Source, UsageProblem, fail
 from acausal.lang.flat import FlatModel
@@ -61,22 +61,34 @@ class Model:
         return compilation.warnings
 
     def compile(
-        self, parameters: Mapping[str, ParameterValue] | None = None, /, **more: ParameterValue
+        self,
+        parameters: Mapping[str, ParameterValue] | None = None,
+        /,
+        only: Sequence[str] | None = None,
+        **more: ParameterValue,
     ) -> CompiledModel:
         """Compile with parameters applied: `compile(R=2)`, or `compile({"motor.R": 2})` for dotted names.
 
-        A string is Modelica text. Raises the `AcausalError` of the stage that finds something wrong.
+        A string is Modelica text. `only` names variables (`"line.p"`, `"der(x)"`): what they do not need is
+        left out, which makes a run cheaper and changes no value of what is left. A parameter of that name is
+        given as `{"only": ...}`. Raises the `AcausalError` of the stage that finds something wrong.
         """
-        return CompiledModel(self.run({**(parameters or {}), **more}))
+        return CompiledModel(self.run({**(parameters or {}), **more}, only=only))
 
     def show(self, stage: Stage) -> str:
         """The text of one stage of the pipeline: `ast`, `instance`, `flat`, `causal` or `code`."""
         return print_stage(self.run({}, stop_after=stage), stage)
 
-    def run(self, parameters: Mapping[str, ParameterValue], stop_after: Stage = "code") -> Compilation:
+    def run(
+        self,
+        parameters: Mapping[str, ParameterValue],
+        stop_after: Stage = "code",
+        only: Sequence[str] | None = None,
+    ) -> Compilation:
         """The pipeline up to a stage. Raises the `AcausalError` of the stage that finds something wrong."""
         texts = {name: as_modelica(value, name) for name, value in parameters.items()}
-        compilation = compile_model(self.library, self.name, texts, stop_after)
+        _check_only(only)
+        compilation = compile_model(self.library, self.name, texts, stop_after, outputs=only)
         seconds = dict(compilation.seconds)
         for step in ("parse", "total"):
             seconds[step] += self.parse_seconds
@@ -198,6 +210,18 @@ class CompiledModel:
         return html_fragment(self.explain())
 
 
+def _check_only(only: object) -> None:
+    """Raises `UsageProblem` where `only=` is not a list of names; callers without types may pass anything."""
+    if only is None:
+        return
+    if isinstance(only, list | tuple):
+        names = cast("Sequence[object]", only)
+        if names and all(isinstance(name, str) for name in names):
+            return
+    hint = 'a parameter of this name is given as compile({"only": ...})'
+    raise fail(UsageProblem, "usage.only", "`only` is a list of the names of variables", hint=hint)
+
+
 def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()) -> Model:
     """A model by its dotted name on the library path, or from a file `FILE.mo`.
 
@@ -264,17 +288,19 @@ def as_modelica(value: ParameterValue, name: str = "") -> str:
 
 def check_names(compiled: CompiledModel, names: Iterable[str]) -> None:
     """Raises `LookupProblem` for a name that no result of the model will hold."""
-    from acausal.simulate.names import did_you_mean
+    from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
     from acausal.symbolic.expressions.text import to_text
 
-    known = dict.fromkeys(v.name for v in compiled.flat.variables)
+    removed = compiled.causal.removed
+    gone = frozenset(v.name for v in removed.variables) if removed is not None else frozenset[str]()
+    known = dict.fromkeys(v.name for v in compiled.flat.variables if v.name not in gone)
     known |= dict.fromkeys(to_text(leaf) for leaf in compiled.code.output_leaves)
     problems = [
         Diagnostic(
             "result.unknown-name",
-            f"the model {compiled.name} has no variable `{name}`",
+            left_out(name) if name in gone else f"the model {compiled.name} has no variable `{name}`",
             names=(name,),
-            hint=did_you_mean(name, known),
+            hint=NAME_IT_TOO if name in gone else did_you_mean(name, known),
         )
         for name in names
         if name not in known
@@ -302,5 +328,11 @@ def summary_of(compilation: Compilation) -> dict[str, object]:
             },
             "zero_crossings": len(causal.zero_crossings),
         }
+        if causal.removed is not None:
+            summary["removed"] = {
+                "for": list(causal.removed.outputs),
+                "equations": causal.removed.equation_count,
+                "variables": len(causal.removed.variables),
+            }
     summary["seconds"] = dict(compilation.seconds)
     return summary

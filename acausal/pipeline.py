@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import gc
 import sys
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from time import perf_counter
@@ -61,11 +61,13 @@ def compile_model(
     parameters: Mapping[str, str] | None = None,
     stop_after: Stage = "code",
     root: Root | None = None,
+    outputs: Sequence[str] | None = None,
 ) -> Compilation:
     """Compile the class `name` with `parameters` (Modelica expressions by dotted name) applied to it.
 
-    `root` keeps the scopes of the library's classes from one compilation to the next. Raises the
-    `AcausalError` of the stage that finds something wrong.
+    With `outputs`, what these do not need is left out after the flat model (`symbolic.outputs`). `root` keeps
+    the scopes of the library's classes from one compilation to the next. Raises the `AcausalError` of the
+    stage that finds something wrong.
     """
     clock = _Clock()
     with _compiling():
@@ -81,7 +83,7 @@ def compile_model(
             return Compilation(node, instance, flat, warnings=warnings, seconds=clock.seconds)
         from acausal.symbolic.causalise import causalise  # late: a check does not need it
 
-        causal = clock.run("causalise", lambda: causalise(flat))
+        causal = clock.run("causalise", lambda: causalise(flat, outputs))
         if stop_after == "causal":
             return Compilation(node, instance, flat, causal, warnings=warnings, seconds=clock.seconds)
         from acausal.codegen.functions import generate  # late: without code there is no need for CasADi

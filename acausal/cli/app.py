@@ -34,6 +34,10 @@ _Show = Annotated[
     StageName | None,
     typer.Option("--show", help="Print this stage, and stop there unless --stop-after says more."),
 ]
+_Only = Annotated[
+    list[str] | None,
+    typer.Option("--only", metavar="NAME", help="Leave out what this variable does not need. Repeatable."),
+]
 _Seconds = typer.Option(metavar="SECONDS")
 
 app = typer.Typer(
@@ -103,6 +107,7 @@ def check(
 def compile_(
     model: _Model,
     parameter: _Parameters = None,
+    only: _Only = None,
     class_: _Class = None,
     path: _Path = None,
     stop_after: _StopAfter = None,
@@ -115,7 +120,7 @@ def compile_(
     """
     from acausal.cli.commands import Target, run_compile
 
-    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()), tuple(only or ()))
     run_compile(target, stop_after=stop_after, show=show, as_json=json)
 
 
@@ -123,6 +128,7 @@ def compile_(
 def explain(
     model: _Model,
     parameter: _Parameters = None,
+    only: _Only = None,
     block: Annotated[
         int | None, typer.Option("--block", metavar="NUMBER", help="Explain this block only.")
     ] = None,
@@ -143,7 +149,7 @@ def explain(
     from acausal.cli.commands import Target
     from acausal.cli.explanation import Wish, run_explain
 
-    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()), tuple(only or ()))
     run_explain(target, Wish(block, latex, all_, plot, html), as_json=json)
 
 
@@ -151,6 +157,7 @@ def explain(
 def simulate(
     model: _Model,
     parameter: _Parameters = None,
+    only: _Only = None,
     stop_time: Annotated[float | None, typer.Option(metavar="SECONDS", help="When to stop.")] = None,
     solver: Annotated[
         str, typer.Option(metavar="NAME", help="How to integrate: auto, or a name from docs/solvers.md.")
@@ -182,12 +189,12 @@ def simulate(
 ) -> None:
     """Compile and run. Stop time, tolerance and interval come from the model's `experiment` annotation.
 
-    Without -v the states and the variables of the top level are kept.
+    Without -v the variables of --only are kept, else the states and the variables of the top level.
     """
     from acausal.cli.commands import Target
     from acausal.cli.simulation import Run, run_simulate
 
-    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()), tuple(only or ()))
     settings = Run(
         stop_time,
         solver,
@@ -195,7 +202,7 @@ def simulate(
         atol,
         max_step,
         interval,
-        tuple(variable or ()),
+        tuple(variable or only or ()),
         all_,
         output,
         plot,

@@ -19,15 +19,22 @@ _SHOWN_STATES = 20
 
 @dataclass(frozen=True)
 class Target:
-    """What a command works on: MODEL, `--class`, `--path` and `-p`, as they were typed."""
+    """What a command works on: MODEL, `--class`, `--path`, `-p` and `--only`, as they were typed."""
 
     model: str
     class_name: str | None
     path: tuple[str, ...]
     assignments: tuple[str, ...]
+    only: tuple[str, ...] = ()
+    """`--only`: what the compiled model is for; everything where it is empty."""
 
     def load(self) -> Model:
         return load(self.model, name=self.class_name, path=self.path)
+
+    def run(self, stop_after: Stage = "code") -> Compilation:
+        """The pipeline up to a stage."""
+        parameters = self.parameters
+        return self.load().run(parameters, stop_after, self.only or None)
 
     @property
     def parameters(self) -> dict[str, str]:
@@ -64,8 +71,7 @@ def run_compile(target: Target, *, stop_after: Stage | None, show: Stage | None,
     if show is not None and STAGES.index(show) > STAGES.index(last):
         problem = f"`--show {show}` comes after `--stop-after {last}`"
         raise fail(UsageProblem, "usage.stage", problem, hint="leave --stop-after out")
-    parameters = target.parameters
-    compilation = target.load().run(parameters, last)
+    compilation = target.run(last)
     print_diagnostics(compilation.warnings)
     if as_json:
         text = {} if show is None else {"text": print_stage(compilation, show)}
@@ -104,6 +110,9 @@ def _facts(compilation: Compilation) -> Iterator[tuple[str, str]]:
         blocks = f"{len(causal.blocks)}"
         yield "blocks", blocks + (f", the largest of {largest.size}, {torn} after tearing" if largest else "")
         yield "zero crossings", f"{len(causal.zero_crossings)}"
+        if causal.removed is not None:
+            removed = f"{causal.removed.equation_count} equations that {', '.join(causal.removed.outputs)}"
+            yield "left out", f"{removed} {'does' if len(causal.removed.outputs) == 1 else 'do'} not need"
     yield "seconds", ", ".join(f"{step} {spent:.3f}" for step, spent in compilation.seconds.items())
 
 

@@ -27,7 +27,7 @@ class Wish:
 def run_explain(target: Target, wish: Wish, *, as_json: bool) -> None:
     """Compile as far as the causal system, write the files, print. What cannot work is refused first."""
     check(wish)
-    explanation = explain(target.load().run(target.parameters, "causal"))
+    explanation = explain(target.run("causal"))
     text = _json(explanation, wish) if as_json else _text(explanation, wish)
     write(explanation, wish)
     if isinstance(text, str):

@@ -56,7 +56,7 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         raise fail(UsageProblem, "usage.plot", problem, hint=f"end the name in {', '.join(_PLOTS)}")
     for file in (run.output, run.plot):
         check_writable(file)
-    compiled = CompiledModel(target.load().run(target.parameters))
+    compiled = CompiledModel(target.run())
     print_diagnostics(compiled.warnings)
     check_names(compiled, run.variables)
     result = compiled.simulate(

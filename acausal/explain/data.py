@@ -20,8 +20,10 @@ def explanation_data(explanation: Explanation) -> Object:
     system = explanation.system
     return {
         "model": explanation.name,
-        "equations": system.flat.equation_count,
-        "variables": len(system.flat.unknowns),
+        "equations": system.equation_count,
+        "variables": system.unknown_count,
+        "removed": _removed(system),
+        "evaluated": list(system.evaluated),
         "aliases": [
             {"name": alias.name, "value": to_text(alias.value), "equation": _equation(alias.equation)}
             for alias in system.aliases
@@ -49,6 +51,20 @@ def explanation_data(explanation: Explanation) -> Object:
         ],
         "warnings": [warning.to_json() for warning in explanation.warnings],
         "seconds": dict(explanation.seconds),
+    }
+
+
+def _removed(system: CausalSystem) -> Object | None:
+    removed = system.removed
+    if removed is None:
+        return None
+    return {
+        "for": list(removed.outputs),
+        "variables": [variable.name for variable in removed.variables],
+        "equations": [_equation(equation) for equation in removed.equations],
+        "initial_equations": [_equation(equation) for equation in removed.initial_equations],
+        "assertions": [{"text": to_text(a.condition), **spot(a.span)} for a in removed.assertions],
+        "whens": [spot(when.span) for when in removed.whens],
     }
 
 

@@ -80,8 +80,8 @@ def _counts(explanation: Explanation) -> str:
     size = f" (largest {largest.size}, torn to {torn})" if largest is not None and largest.size > 1 else ""
     kinds = ", ".join(f"{explanation.count(kind)} {kind.value}" for kind in BlockKind)
     facts = {
-        "equations": f"{system.flat.equation_count}",
-        "unknowns": f"{len(system.flat.unknowns)}",
+        "equations": f"{system.equation_count}",
+        "unknowns": f"{system.unknown_count}",
         "aliases": f"{len(system.aliases)}",
         "index": f"{system.index}",
         "states": f"{len(system.states)}",

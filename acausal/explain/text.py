@@ -30,6 +30,8 @@ def explanation_text(explanation: Explanation, *, everything: bool = False) -> s
     rows = None if everything else MOST_ROWS
     sections = (
         ("Flat model", _flat(explanation), None),
+        ("Left out", _left_out(explanation), None),
+        ("Evaluated", _evaluated(explanation, everything), None),
         _section("Aliases", "variable", _aliases(explanation), rows),
         _section("Index reduction", "equation", _differentiated(explanation), rows, _index(explanation)),
         _section("States", "state", _states(explanation), rows, _freedom(explanation)),
@@ -75,11 +77,32 @@ def _flat(explanation: Explanation) -> list[str]:
     kinds = [(origin, sum(e.origin is origin for e in flat.equations)) for origin in Origin]
     origins = ", ".join(f"{count} {origin.value}" for origin, count in kinds if count)
     parameters = counted(len(flat.parameters), "parameter or constant", "parameters and constants")
-    size = f"{counted(len(flat.equations), 'equation')} in {counted(len(flat.unknowns), 'unknown')}"
+    equations = counted(explanation.system.equation_count, "equation")
+    size = f"{equations} in {counted(explanation.system.unknown_count, 'unknown')}"
     return [
         f"{size}, {parameters}, {counted(len(flat.inputs), 'input')}",
         *([f"where the equations come from: {origins}"] if origins else []),
     ]
+
+
+def _left_out(explanation: Explanation) -> list[str]:
+    removed = explanation.system.removed
+    if removed is None:
+        return []
+    gone = f"{counted(removed.equation_count, 'equation')} and {counted(len(removed.variables), 'variable')}"
+    verb = "needs" if len(removed.outputs) == 1 else "need"
+    checks = counted(len(removed.assertions), "assertion")
+    initial = counted(len(removed.initial_equations), "initial equation")
+    names = cut([v.name for v in removed.variables], MOST_NAMES)
+    needless = f"{cut(removed.outputs, MOST_NAMES)} {verb} nothing of them"
+    return [f"{gone}, {initial} and {checks}, because {needless}: {names}"]
+
+
+def _evaluated(explanation: Explanation, everything: bool) -> list[str]:
+    names = explanation.system.evaluated
+    most = None if everything else MOST_NAMES
+    text = "constants, final and structural parameters whose values stand in the equations"
+    return [f"{text}: {cut(names, most)}"] if names else []
 
 
 def _aliases(explanation: Explanation) -> list[str]:

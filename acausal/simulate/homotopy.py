@@ -52,7 +52,7 @@ def compiled_blend(code: Code, error: InitializationProblem) -> Code:
     """The blended model as code. Raises `error` with the reason added where it cannot be compiled."""
     assert code.system.homotopy is not None
     try:
-        return generate(causalise(blended(code.system.homotopy), (LAMBDA,)))
+        return generate(causalise(blended(code.system.homotopy), unevaluated=(LAMBDA,)))
     except AcausalError as problem:
         reason = f"the simplified equations cannot be used: {problem.diagnostics[0].message}"
         raise _with(error, code, reason) from None

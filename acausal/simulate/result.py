@@ -14,7 +14,7 @@ from acausal.errors import Diagnostic, LookupProblem, fail
 from acausal.lang.flat import Variable
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
-from acausal.simulate.names import did_you_mean
+from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, neg
@@ -87,13 +87,11 @@ class Result:
             if value.op != "sym":
                 return np.full(len(self.time), sign * self._constant(value))
             seen = value.name
-        raise fail(
-            LookupProblem,
-            "result.unknown-name",
-            f"the result has no variable `{name}`",
-            names=[name],
-            hint=did_you_mean(name, self.names),
-        )
+        removed = self.system.removed
+        gone = removed is not None and any(v.name == name for v in removed.variables)
+        message = left_out(name) if gone else f"the result has no variable `{name}`"
+        hint = NAME_IT_TOO if gone else did_you_mean(name, self.names)
+        raise fail(LookupProblem, "result.unknown-name", message, names=[name], hint=hint)
 
     def _constant(self, value: Expr) -> float:
         def lookup(name: str) -> Constant | None:

@@ -59,7 +59,7 @@ def check_balance(flat: FlatModel, *, as_component: bool = False) -> None:
     `balance.structurally-singular`.
     """
     rows = [(e, e.left, e.right) for e in flat.equations]
-    rows += [(e, e.left, e.left) for when in flat.whens for e in _determining(when)]
+    rows += [(e, e.left, e.left) for when in flat.whens for e in determining_equations(when)]
     system = structure(rows, determined(flat))
     require_complete(_opened(system) if as_component else system, flat.name)
 
@@ -79,7 +79,7 @@ def _opened(system: Structure) -> Structure:
     return replace(system, incidence=tuple(rows))
 
 
-def _determining(when: When) -> tuple[Equation, ...]:
+def determining_equations(when: When) -> tuple[Equation, ...]:
     """For each variable that a when-clause determines the first equation that does."""
     first: dict[Expr, Equation] = {}
     for branch in when.branches:

@@ -24,6 +24,7 @@ from acausal.symbolic.expressions.expr import Expr
 
 if TYPE_CHECKING:
     from acausal.symbolic.index_reduction import Reduced
+    from acausal.symbolic.outputs import Removed
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,6 +249,18 @@ class CausalSystem:
     """Parameters and constants whose values were put into the equations (see `parameters`)."""
     homotopy: FlatModel | None = None
     """The model as it came, if it holds the operator `homotopy`: what a continuation starts from."""
+    removed: Removed | None = None
+    """What was left out of `flat` because the chosen outputs do not need it; None where none were chosen."""
+
+    @property
+    def equation_count(self) -> int:
+        """Scalar equations of the flat model, with what was left out."""
+        return self.flat.equation_count + (self.removed.equation_count if self.removed is not None else 0)
+
+    @property
+    def unknown_count(self) -> int:
+        """Unknowns of the flat model, with what was left out."""
+        return len(self.flat.unknowns) + (len(self.removed.variables) if self.removed is not None else 0)
 
     @property
     def events(self) -> tuple[ZeroCrossing, ...]:

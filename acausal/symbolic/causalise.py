@@ -28,18 +28,25 @@ from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.hybrid_errors import refuse_hybrid
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
+from acausal.symbolic.outputs import keep_for_outputs
 from acausal.symbolic.parameters import parameter_values
 from acausal.symbolic.solving import Profiler
 from acausal.symbolic.state_selection import Point, SelectedStates, select_states, starting_point
 
 
-def causalise(flat: FlatModel, unevaluated: Collection[str] = ()) -> CausalSystem:
+def causalise(
+    flat: FlatModel, outputs: Sequence[str] | None = None, *, unevaluated: Collection[str] = ()
+) -> CausalSystem:
     """Choose states, order and tear the equations, and set up the initial problem.
 
-    The values of the parameters `unevaluated` are not used. Time grows near-linearly with the model. Raises
+    With `outputs`, only of the part of the model that these need (`outputs.keep_for_outputs`). The values of
+    the parameters `unevaluated` are not used. Time grows near-linearly with the model. Raises
     BalanceProblem, ReductionProblem, InitializationProblem, LookupProblem (`parameter.cyclic`), TypeProblem
     (`parameter.no-value`, `type.real-equality`) and UnsupportedProblem for discrete events.
     """
+    if outputs is not None:
+        part, removed = keep_for_outputs(flat, outputs)
+        return replace(causalise(part, unevaluated=unevaluated), removed=removed)
     check_balance(flat)
     refuse_hybrid(flat)
     model = eliminate_aliases(flat, parameter_values(flat, unevaluated))
