@@ -149,8 +149,7 @@ BUILTINS: dict[str, Builtin] = {
 }
 NOT_YET = frozenset(
     {
-        "pre", "edge", "change", "sample", "initial", "terminal", "reinit", "terminate", "delay",
-        "semiLinear", "inStream", "actualStream", "spatialDistribution", "getInstanceName",
+        "inStream", "actualStream", "spatialDistribution", "getInstanceName",
         "previous", "hold", "Clock", "subSample", "superSample", "shiftSample", "backSample", "noClock",
         "interval", "firstTick", "transition", "String",
     }

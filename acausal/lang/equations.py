@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from acausal.errors import AcausalError, Span, TypeProblem, UnsupportedProblem, fail
+from acausal.errors import AcausalError, Span, TypeProblem
 from acausal.lang import ast
-from acausal.lang.arithmetic import as_boolean, as_scalar, type_error
+from acausal.lang.algorithm_sections import translate_section
+from acausal.lang.arithmetic import as_boolean, type_error
+from acausal.lang.assertions import assertion_of, guard_assertions, termination_text
 from acausal.lang.connection_nodes import connector_side
 from acausal.lang.connections import ConnectionSets, connect
-from acausal.lang.flat import STRING, Assertion, Equation, Origin
+from acausal.lang.discrete import DiscreteVariables
+from acausal.lang.flat import Equation, Origin, Termination, When
 from acausal.lang.instance import Absent, Instance, leaves
 from acausal.lang.iteration import iterate
 from acausal.lang.links import GRAPH_CALLS, call_name
 from acausal.lang.matching_values import match_values, merge_branches
 from acausal.lang.modifiers import Context
-from acausal.lang.naming import names_in, with_names
+from acausal.lang.naming import names_in, names_in_when, with_names
 from acausal.lang.printer import print_expression
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, describe
+from acausal.lang.values import AnyValue
+from acausal.lang.when_equations import terminating, translate_when
 from acausal.symbolic.expressions import expr as ex
-from acausal.symbolic.expressions.expr import EnumValue, Expr
+from acausal.symbolic.expressions.expr import Expr
 
 MAX_EQUATIONS = 1_000_000
 
@@ -32,27 +37,34 @@ class Equations:
         self._translation = translation
         self.equations: list[Equation] = []
         self.initial: list[Equation] = []
-        self.assertions: list[Assertion] = []
+        self.whens: list[When] = []
+        self.discrete = DiscreteVariables()
         self.sets = sets
-        self._conditions = 0
-        """How many `if`-equations on variables are being translated."""
+        self._guards: list[Expr] = []
+        """When the branches of the `if`-equations on variables that are being translated are in force."""
 
     def component(self, instance: Instance) -> None:
         """Add the sections of one component (not of its parts)."""
         for section, scope in instance.scope.table.sections:
             env = Env(Context(scope, instance))
-            if isinstance(section, ast.AlgorithmSection):
-                raise fail(
-                    UnsupportedProblem,
-                    "unsupported.algorithm",
-                    f"an algorithm section in `{scope.path}` is not supported yet (functions have theirs)",
-                    section.span,
-                    names=[scope.path],
-                    hint="write equations, or put the algorithm into a function",
-                )
             target = self.initial if section.initial else self.equations
-            for equation in section.equations:
-                self._equation(equation, env, target)
+            start = len(self._translation.assertions)
+            if isinstance(section, ast.AlgorithmSection):
+                result = translate_section(self._translation, section, scope, instance)
+                target += result.equations
+                self.whens += [terminating(test, end) for test, end in result.terminations]
+                self.discrete.assign(result.discrete, section.span)
+            else:
+                for equation in section.equations:
+                    self._equation(equation, env, target)
+            self._own(start, instance.path)
+
+    def _own(self, start: int, component: str) -> None:
+        """Assertions of functions called from a component's sections belong to the component."""
+        found = self._translation.assertions
+        for k in range(start, len(found)):
+            if not found[k].component and component:
+                found[k] = replace(found[k], component=component)
 
     def _equation(self, node: ast.Equation, env: Env, target: list[Equation]) -> None:
         if isinstance(node, ast.EqualEquation):
@@ -68,13 +80,7 @@ class Equations:
         elif isinstance(node, ast.CallEquation):
             self._call(node, env, target)
         else:
-            raise fail(
-                UnsupportedProblem,
-                "unsupported.when",
-                "`when` equations are not supported yet",
-                node.span,
-                hint="use `if` for what switches continuously; discrete events come in a later version",
-            )
+            self._when(node, env, target)
         if len(target) > MAX_EQUATIONS:
             message = f"the model has more than {MAX_EQUATIONS} equations"
             raise type_error("flat.too-large", message, node.span)
@@ -162,16 +168,12 @@ class Equations:
 
     def _branch(self, body: Sequence[ast.Equation], env: Env, guard: Expr) -> list[Equation]:
         found: list[Equation] = []
-        before = len(self.assertions)
-        self._conditions += 1
+        start = len(self._translation.assertions)
+        self._guards.append(guard)
         for equation in body:
             self._equation(equation, env, found)
-        self._conditions -= 1
-        otherwise = ex.logical_not(guard)
-        for k in range(before, len(self.assertions)):
-            old = self.assertions[k]
-            condition = ex.logical_or(otherwise, old.condition)
-            self.assertions[k] = Assertion(condition, old.message, old.level, old.span, old.component)
+        self._guards.pop()
+        guard_assertions(self._translation.assertions, start, guard)
         return found
 
     # ------------------------------------------------------------------ connect and assert
@@ -180,11 +182,11 @@ class Equations:
         self, what: str, node: ast.Equation, target: list[Equation], names: tuple[str, ...] = ()
     ) -> None:
         """What makes connections must not depend on variables (9.3)."""
-        if self._conditions or target is self.initial:
+        if self._guards or target is self.initial:
             where = "an if-equation needs a condition known at compile time"
-            if not self._conditions:
+            if not self._guards:
                 where = "an initial equation is not possible"
-            hint = "make the condition depend on parameters only" if self._conditions else ""
+            hint = "make the condition depend on parameters only" if self._guards else ""
             raise type_error("connect.conditional", f"`{what}` in {where}", node.span, hint, names or (what,))
 
     def _connect(self, node: ast.ConnectEquation, env: Env, target: list[Equation]) -> None:
@@ -206,44 +208,37 @@ class Equations:
 
     def _call(self, node: ast.CallEquation, env: Env, target: list[Equation]) -> None:
         name = call_name(node.call)
+        component = _component_of(env)
         if name in GRAPH_CALLS:
             self._check_unconditional(name, node, target)
             self._translation.network(node.span).graph(node.span)  # which checks the call
-            return
-        if name != "assert":
-            message = f"`{name}(...)` as an equation is not supported yet"
-            raise fail(UnsupportedProblem, "unsupported.call-equation", message, node.span, names=[name])
-        arguments = dict(zip(("condition", "message", "level"), node.call.arguments, strict=False))
-        arguments |= {named.name: named.value for named in node.call.named}
-        known = {"condition", "message", "level"}
-        if not {"condition", "message"} <= arguments.keys() <= known or len(node.call.arguments) > len(known):
-            message = "`assert` takes a condition, a message and, optionally, a level"
-            raise type_error("call.arguments", message, node.span, "", ("assert",))
-        condition = self._test(arguments["condition"], env)
-        level = "error"
-        if "level" in arguments:
-            level = self._level(arguments["level"], env)
-        message_text = ex.const(self._message(arguments["message"], env))
-        self.assertions.append(Assertion(condition, message_text, level, node.span, _component_of(env)))
+        elif name == "assert":
+            assertion = assertion_of(self._translation, node.call, env, component)
+            self._translation.assertions.append(assertion)
+        elif name == "terminate":
+            text = termination_text(self._translation, node.call, env)
+            guard = ex.logical_and(*self._guards)
+            self.whens.append(terminating(guard, Termination(text, node.span, component)))
+        elif name == "reinit":
+            message = "`reinit` is only allowed in a when-equation"
+            raise type_error("equation.reinit", message, node.span, "", (name,))
+        else:
+            self._translation.results(node.call, env)
 
-    def _level(self, node: ast.Expression, env: Env) -> str:
-        found = self._translation.evaluate_in(node, env, "the level of an assertion")
-        if not isinstance(found, EnumValue) or found.type_name != "AssertionLevel":
-            message = "the level of an assertion is AssertionLevel.error or AssertionLevel.warning"
-            raise type_error("type.mismatch", message, node.span)
-        return found.literal
-
-    def _message(self, node: ast.Expression, env: Env) -> str:
-        """The text of an assertion; one that is computed at run time is shown as it is written."""
+    def _when(self, node: ast.WhenEquation, env: Env, target: list[Equation]) -> None:
+        if self._guards or target is self.initial:
+            where = "inside an `if` needs a condition known at compile time"
+            if not self._guards:
+                where = "cannot stand among initial equations"
+            message = f"a when-equation {where}"
+            hint = "put the `if` into the when-equation, or into its condition" if self._guards else ""
+            raise type_error("equation.conditional-when", message, node.span, hint)
         try:
-            value = as_scalar(self._translation.value(node, env), node.span)
-        except UnsupportedProblem:
-            return print_expression(node)
-        if value.type != STRING:
-            message = f"the message of an assertion is a String, not {describe(value)}"
-            raise type_error("type.mismatch", message, node.span)
-        text = value.item.value if value.item.is_const else None
-        return text if isinstance(text, str) else print_expression(node)
+            whens = translate_when(self._translation, node, env, _component_of(env))
+        except TypeProblem as problem:
+            raise with_names(problem, names_in_when(node, _component_of(env))) from None
+        self.whens += whens
+        self.discrete.when(whens[0], self._translation)
 
 
 def _component_of(env: Env) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from acausal.lang.assertions import without_repetitions
 from acausal.lang.connection_constraints import constraint_equations
 from acausal.lang.connections import ConnectionSets, check_constants, connection_equations
 from acausal.lang.equations import Equations
@@ -35,21 +36,26 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
     }
     check_constants(work.sets, values)
     constraints = constraint_equations(translator, sets, network.overdetermined, root)
+    equations = (
+        *variables.bindings,
+        *work.equations,
+        *connection_equations(work.sets, root),
+        *constraints,
+    )
+    work.discrete.check_left_limits(translator.left_limits)
+    work.discrete.check_states(equations)
+    work.discrete.check_declared(found, equations)
     return FlatModel(
         name=root.scope.path,
         description=root.description,
-        variables=_marked(translator, found),
-        equations=(
-            *variables.bindings,
-            *work.equations,
-            *connection_equations(work.sets, root),
-            *constraints,
-        ),
+        variables=tuple([work.discrete.mark(v) for v in _marked(translator, found)]),
+        equations=equations,
         initial_equations=tuple(work.initial),
-        assertions=tuple(work.assertions),
+        assertions=without_repetitions(translator.assertions),
         experiment=experiment_of(translator, root.scope),
         span=root.scope.span,
         warnings=tuple(translator.warnings),
+        whens=tuple(work.whens),
     )
 
 

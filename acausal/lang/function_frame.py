@@ -3,42 +3,101 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import prod
 
 from acausal.errors import AcausalError, Span
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.assertions import guard_assertions
 from acausal.lang.class_table import ComponentEntry
+from acausal.lang.flat import ScalarType, Termination
+from acausal.lang.instance import Instance
 from acausal.lang.modifiers import Context
 from acausal.lang.naming import references_in
+from acausal.lang.parameter_errors import too_many_steps
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
 from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import Expr
 
+MAX_STEPS = 50_000
+"""Statements that one run of an algorithm section may take."""
 _MAX_ELEMENTS = 200_000
 _MAX_LEVELS = 50
 
 
 @dataclass(slots=True)
 class Frame:
-    """A running function: its variables and what they were declared as."""
+    """A running function or algorithm section: its variables and what they were declared as.
+
+    An algorithm section belongs to an `instance`; `current` has the values of the component's variables that
+    it assigns, and `variables` its iterators only.
+    """
 
     translation: Translation
     scope: Scope
     variables: dict[str, AnyValue]
     assigned: set[str]
     depth: int
+    instance: Instance | None = None
+    current: dict[Expr, Expr] = field(default_factory=dict[Expr, Expr])
+    path: tuple[Expr, ...] = ()
+    """The conditions under which the running statement is reached."""
+    at_event: bool = False
+    """In a when-statement or an initial algorithm."""
+    initial: bool = False
+    """In an initial algorithm, which may determine parameters."""
+    terminations: list[tuple[Expr, Termination]] = field(default_factory=list[tuple[Expr, Termination]])
+    """Calls of `terminate` with the condition under which each is reached."""
+    steps: int = 0
 
     @property
     def entries(self) -> dict[str, ComponentEntry]:
         return self.scope.table.components
 
+    @property
+    def component(self) -> str:
+        """The path of the component whose algorithm section this is."""
+        return "" if self.instance is None else self.instance.path
+
+    def count_step(self, span: Span) -> None:
+        """Count a statement. Raises `function.too-long`."""
+        self.steps += 1
+        if self.instance is None:
+            self.translation.count_step(self.scope.path, span)
+        elif self.steps > MAX_STEPS:
+            raise too_many_steps(self.scope.path, MAX_STEPS, span)
+
+    @property
+    def guard(self) -> Expr:
+        """The condition under which the running statement is reached."""
+        return ex.logical_and(*self.path)
+
     def env(self) -> Env:
-        """Where the function's expressions are translated now."""
-        return Env(Context(self.scope, None), self.variables, None, self.depth)
+        """Where the expressions are translated now."""
+        context = Context(self.scope, self.instance)
+        return Env(context, self.variables, None, self.depth, self.current, self.at_event)
+
+    def value(self, node: ast.Expression) -> AnyValue:
+        """The value of an expression here; assertions of the functions it calls hold where it is reached."""
+        found = self.translation.assertions
+        start = len(found)
+        value = self.translation.value(node, self.env())
+        if self.path:
+            guard_assertions(found, start, self.guard)
+        return value
+
+    def results(self, call: ast.Call) -> list[AnyValue]:
+        """All results of a call here, as `value`."""
+        found = self.translation.assertions
+        start = len(found)
+        values = self.translation.results(call, self.env())
+        if self.path:
+            guard_assertions(found, start, self.guard)
+        return values
 
 
 def new_frame(translation: Translation, scope: Scope, env: Env) -> Frame:
@@ -123,7 +182,7 @@ def _empty(frame: Frame, entry: ComponentEntry, type_scope: Scope, shape: list[i
         message = f"`{entry.name}` of `{frame.scope.path}` has more than {_MAX_ELEMENTS} elements"
         raise type_error("array.bad-size", message, entry.declaration.span, "", (entry.name,))
     if simple is not None:
-        return Value(simple.scalar, tuple(shape), (_zero(simple),) * prod(shape))
+        return Value(simple.scalar, tuple(shape), (zero_of(simple.scalar),) * prod(shape))
     if frame.depth > _MAX_LEVELS:
         message = f"the record `{type_scope.path}` contains itself"
         raise type_error("instance.recursive", message, entry.declaration.span, "", (type_scope.path,))
@@ -146,11 +205,12 @@ def _given_fields(frame: Frame, entry: ComponentEntry) -> dict[str, AnyValue]:
     }
 
 
-def _zero(simple: SimpleType) -> ex.Expr:
-    if simple.scalar.is_enumeration:
-        return ex.const(ex.EnumValue(simple.scalar.name, simple.scalar.literals[0], 1))
+def zero_of(type_: ScalarType) -> Expr:
+    """The default of the attribute `start` (4.9)."""
+    if type_.is_enumeration:
+        return ex.const(ex.EnumValue(type_.name, type_.literals[0], 1))
     zeros = {"Boolean": ex.FALSE, "Integer": ex.const(0), "String": ex.const("")}
-    return zeros.get(simple.scalar.name, ex.ZERO)
+    return zeros.get(type_.name, ex.ZERO)
 
 
 def declared_rank(translation: Translation, entry: ComponentEntry) -> int:

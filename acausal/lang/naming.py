@@ -31,6 +31,14 @@ def names_in(root: ast.Equation | ast.Expression, component: str) -> tuple[str, 
     return tuple(found)
 
 
+def names_in_when(node: ast.WhenEquation, component: str) -> tuple[str, ...]:
+    """Flat names of the references in the conditions of a when-equation of a component, at most six."""
+    prefix = f"{component}." if component else ""
+    conditions = [condition for condition, _ in node.branches]
+    found = dict.fromkeys([prefix + reference.text for reference in references_in(*conditions)])
+    return tuple(found)[:_MOST_NAMES]
+
+
 def references_in(*roots: object) -> Iterator[ast.ComponentReference]:
     """References below syntax nodes, in order; not the names of functions. Iterative."""
     stack: list[object] = list(reversed(roots))

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from acausal.errors import TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import RELATIONS, as_boolean, binary, choose
-from acausal.lang.flat import INTEGER, REAL, ScalarType
+from acausal.lang.assertions import guard_assertions
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, ScalarType
 from acausal.lang.operator_records import binary_record
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, Value, scalar
@@ -20,9 +21,8 @@ EVENT_FUNCTIONS = ("integer", "floor", "ceil", "div", "mod", "rem")
 def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyValue:
     """`left operator right`; a chain of operators is walked without recursion."""
     if not isinstance(node.left, ast.Binary):
-        return _operation(
-            translation, node, translation.value(node.left, env), translation.value(node.right, env), env
-        )
+        left_value = translation.value(node.left, env)
+        return _operation(translation, node, left_value, _right(translation, node, left_value, env), env)
     spine: list[ast.Binary] = []
     left: ast.Expression = node
     while isinstance(left, ast.Binary):
@@ -32,7 +32,23 @@ def binary_value(translation: Translation, node: ast.Binary, env: Env) -> AnyVal
         return _long_sum(translation, left, spine, env)
     value = translation.value(left, env)
     for link in reversed(spine):
-        value = _operation(translation, link, value, translation.value(link.right, env), env)
+        value = _operation(translation, link, value, _right(translation, link, value, env), env)
+    return value
+
+
+def _right(translation: Translation, node: ast.Binary, left: AnyValue, env: Env) -> AnyValue:
+    """The right side. What it asserts holds where `and` and `or` need it: `i <= n and x[i] > 0`."""
+    if (
+        node.operator not in ("and", "or")
+        or not isinstance(left, Value)
+        or left.shape
+        or left.type != BOOLEAN
+    ):
+        return translation.value(node.right, env)
+    found = translation.assertions
+    start = len(found)
+    value = translation.value(node.right, env)
+    guard_assertions(found, start, left.item if node.operator == "and" else ex.logical_not(left.item))
     return value
 
 
@@ -74,20 +90,29 @@ def _long_sum(
 
 def if_value(translation: Translation, node: ast.If, env: Env) -> AnyValue:
     """`if c1 then a elseif c2 then b else c`; a condition known at compile time takes its branch."""
-    value: AnyValue | None = None
+    found = translation.assertions
+    decided: ast.Expression | None = None
     pending: list[tuple[Expr, ast.Expression]] = []
     for condition, branch in node.branches:
+        start = len(found)
         test = as_boolean(translation.value(condition, env), condition.span)
-        if test.is_const:
-            if test.value:
-                value = translation.value(branch, env)
-                break
-            continue
-        pending.append((test, branch))
-    if value is None:
+        if pending:
+            guard_assertions(found, start, ex.logical_not(ex.logical_or(*[t for t, _ in pending])))
+        if not test.is_const:
+            pending.append((test, branch))
+        elif test.value:
+            decided = branch
+            break
+    start = len(found)
+    if decided is not None:
+        value = translation.value(decided, env)
+    else:
         value = _untaken(translation, pending, node.otherwise, env)
     for test, branch in reversed(pending):
+        guard_assertions(found, start, ex.logical_not(test))
+        middle = len(found)
         value = _branch(translation, test, branch, value, env)
+        guard_assertions(found, middle, test)
     return value
 
 

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product
 
 from acausal.errors import Span
@@ -42,6 +42,7 @@ from acausal.lang.values import (
     scalar,
 )
 from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import Expr
 
 
 @light_object
@@ -218,6 +219,18 @@ def member_value(translation: Translation, found: Resolved, node: ast.ComponentR
     if not found.shape and isinstance(found.members[0], Leaf):
         return _leaf_value(translation, found.members[0], found.constant, node.span)
     return selection_value(translation, found, node.span)
+
+
+def current_value(value: AnyValue, current: Mapping[Expr, Expr]) -> AnyValue:
+    """The value with variables replaced by what they are at this point of an algorithm section."""
+    if isinstance(value, Value):
+        items = tuple([current.get(item, item) for item in value.items])
+        return value if items == value.items else Value(value.type, value.shape, items)
+    if isinstance(value, RecordValue):
+        fields = {name: current_value(field, current) for name, field in value.fields.items()}
+        return value.with_fields(fields)
+    records = [current_value(item, current) for item in value.items]
+    return RecordArray(value.shape, tuple([r for r in records if isinstance(r, RecordValue)]), value.scope)
 
 
 def selection_value(translation: Translation, found: Selection, span: Span) -> AnyValue:

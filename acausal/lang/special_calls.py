@@ -8,6 +8,7 @@ from acausal.errors import AcausalError
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.builtins import BUILTINS
+from acausal.lang.event_calls import EVENT_CALLS
 from acausal.lang.flat import INTEGER, REAL
 from acausal.lang.record_arrays import rearranged
 from acausal.lang.translation import Env, Translation
@@ -25,7 +26,7 @@ def _arguments(node: ast.Call, name: str, count: int) -> tuple[ast.Expression, .
 
 def _der(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
     (argument,) = _arguments(node, "der", 1)
-    value = as_value(translation.value(argument, env), node.span)
+    value = as_value(translation.value(argument, env.without_current()), node.span)
     if value.type != REAL:
         message = f"`der` needs a Real, not {describe(value)}"
         raise type_error("type.der", message, node.span, "", ex.symbols(value.items))
@@ -139,6 +140,7 @@ def _cat(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
 
 
 SPECIAL: dict[str, SpecialCall] = {
+    **EVENT_CALLS,
     "der": _der,
     "noEvent": _no_event,
     "smooth": _smooth,

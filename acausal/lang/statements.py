@@ -1,241 +1,142 @@
-"""Statements of functions, run at compile time on symbolic values (Modelica 3.6, chapter 11)."""
+"""Statements of functions and algorithm sections, run at compile time on symbolic values (11.2)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from itertools import product
+from collections.abc import Callable, Iterable, Sequence
 
 from acausal.errors import AcausalError, Span, TypeProblem, UnsupportedProblem, fail
 from acausal.lang import ast
-from acausal.lang.arithmetic import as_boolean, as_value, choose, type_error
+from acausal.lang.arithmetic import as_boolean, as_value, type_error
+from acausal.lang.assertions import add_assertion, assertion_of, termination_text
+from acausal.lang.assignments import assign
+from acausal.lang.flat import BOOLEAN, Termination
+from acausal.lang.flow import (
+    BREAKS,
+    RETURNS,
+    STAYS,
+    Flow,
+    either,
+    merge,
+    only_where,
+    restore,
+    run_under,
+    state_of,
+    then,
+    undo,
+)
 from acausal.lang.function_frame import Frame
 from acausal.lang.iteration import iterator_values
-from acausal.lang.subscripts import subscript_values
-from acausal.lang.values import (
-    AnyValue,
-    RecordArray,
-    RecordValue,
-    Value,
-    assignable,
-    describe,
-    index_offset,
-    stack,
-)
-from acausal.symbolic.expressions.expr import Expr
+from acausal.lang.values import describe
+from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import FALSE, Expr
 
+MOST_UNCERTAIN = 500
+"""Repetitions of a loop that may have been left before, which only the run time knows."""
 _BranchNode = tuple[ast.Expression, tuple[ast.Statement, ...]]
 
 
-class _Signal(Exception):
-    """`break` or `return` on the way to its loop or function."""
-
-
-class _Break(_Signal):
-    """On the way to the end of the loop."""
-
-
-class _Return(_Signal):
-    """On the way to the end of the function."""
-
-
 def run_algorithm(frame: Frame, sections: Iterable[ast.AlgorithmSection]) -> None:
-    """Run the algorithm sections of a function; its variables change in `frame`."""
-    try:
-        for section in sections:
-            _statements(frame, section.statements)
-    except _Return:
-        return
-    except _Break:
+    """Run algorithm sections; the variables change in `frame`."""
+    statements = [statement for section in sections for statement in section.statements]
+    if _statements(frame, statements).broken is not FALSE:
         message = f"`break` stands outside a loop in `{frame.scope.path}`"
-        raise type_error("function.break", message, frame.scope.span, "", (frame.scope.path,)) from None
+        raise type_error("function.break", message, frame.scope.span, "", (frame.scope.path,))
 
 
-def _statements(frame: Frame, statements: Sequence[ast.Statement]) -> None:
-    for statement in statements:
-        frame.translation.count_step(frame.scope.path, statement.span)
-        _statement(frame, statement)
+def _statements(frame: Frame, statements: Sequence[ast.Statement]) -> Flow:
+    for k, statement in enumerate(statements):
+        frame.count_step(statement.span)
+        flow = _statement(frame, statement)
+        if flow is STAYS:
+            continue
+        rest = statements[k + 1 :]
+        if flow.certain or not rest:
+            return flow
+
+        def run(rest: Sequence[ast.Statement] = rest) -> Flow:
+            return _statements(frame, rest)
+
+        return then(flow, only_where(frame, ex.logical_not(flow.left), run, rest[0].span))
+    return STAYS
 
 
-def _statement(frame: Frame, statement: ast.Statement) -> None:
+def _statement(frame: Frame, statement: ast.Statement) -> Flow:
     if isinstance(statement, ast.Assignment):
-        _assign(frame, statement)
-    elif isinstance(statement, ast.IfStatement):
-        _if(frame, statement.branches, statement.otherwise)
-    elif isinstance(statement, ast.ForStatement):
-        _for(frame, statement.iterators, statement.body)
-    elif isinstance(statement, ast.WhileStatement):
-        _while(frame, statement)
-    elif isinstance(statement, ast.ReturnStatement):
-        raise _Return
-    elif isinstance(statement, ast.BreakStatement):
-        raise _Break
-    elif not (isinstance(statement, ast.CallStatement) and statement.call.function.text == "assert"):
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.statement",
-            f"this statement in `{frame.scope.path}` is not supported yet",
-            statement.span,
-            names=[frame.scope.path],
-        )
+        assign(frame, statement)
+        return STAYS
+    if isinstance(statement, ast.IfStatement):
+        return _if(frame, statement.branches, statement.otherwise)
+    if isinstance(statement, ast.ForStatement):
+        return _for(frame, statement.iterators, statement.body)
+    if isinstance(statement, ast.WhileStatement):
+        return _while(frame, statement)
+    if isinstance(statement, ast.ReturnStatement):
+        return RETURNS
+    if isinstance(statement, ast.BreakStatement):
+        return BREAKS
+    if isinstance(statement, ast.WhenStatement):
+        return _when(frame, statement)
+    _call(frame, statement.call)
+    return STAYS
 
 
-# --------------------------------------------------------------------------- assignments
-
-
-def _assign(frame: Frame, statement: ast.Assignment) -> None:
-    env = frame.env()
-    if not isinstance(statement.target, ast.Tuple):
-        _store(frame, statement.target, frame.translation.value(statement.value, env))
-        return
-    if not isinstance(statement.value, ast.Call):
-        raise type_error("type.tuple", "only a function call has several results", statement.span)
-    results = frame.translation.results(statement.value, env)
-    targets = statement.target.items
-    if len(targets) > len(results):
-        name = statement.value.function.text
-        message = f"`{name}` has only {len(results)} result(s)"
-        raise type_error("call.results", message, statement.span, "", (name,))
-    for target, value in zip(targets, results, strict=False):
-        if isinstance(target, ast.ComponentReference):
-            _store(frame, target, value)
-
-
-def _store(frame: Frame, target: ast.ComponentReference, value: AnyValue) -> None:
-    name = target.parts[0].name
-    entry = frame.entries.get(name)
-    if entry is None or entry.clause.causality == "input" or entry.clause.variability == "constant":
-        what = "is not a variable" if entry is None else f"is {_kind(entry.clause)}"
-        message = f"`{name}` {what} of `{frame.scope.path}` and cannot be assigned"
-        raise type_error("function.assignment", message, target.span, "", (name,))
-    frame.variables[name] = _updated(frame, frame.variables[name], list(target.parts), value)
-    frame.assigned.add(name)
-
-
-def _kind(clause: ast.ComponentClause) -> str:
-    return "an input" if clause.causality == "input" else "a constant"
-
-
-def _updated(frame: Frame, old: AnyValue, parts: list[ast.NamePart], value: AnyValue) -> AnyValue:
-    """`old` with the part that the reference names replaced by `value`."""
-    part = parts[0]
-    if part.subscripts is not None:
-        return _store_elements(frame, old, parts, value)
-    if len(parts) > 1:
-        if not isinstance(old, RecordValue) or parts[1].name not in old.fields:
-            message = f"{describe(old)} has no field `{parts[1].name}`"
-            raise type_error("lookup.unknown-field", message, parts[1].span, "", (parts[1].name,))
-        inner = _updated(frame, old.fields[parts[1].name], parts[1:], value)
-        return old.with_fields({**old.fields, parts[1].name: inner})
-    if isinstance(old, Value) != isinstance(value, Value):
-        message = f"`{part.name}` is {describe(old)}, but it is assigned {describe(value)}"
-        raise type_error("type.mismatch", message, part.span, "", (part.name,))
-    if isinstance(old, Value) and isinstance(value, Value):
-        if not assignable(value.type, old.type):
-            message = f"`{part.name}` is {old.type}, but it is assigned {describe(value)}"
-            raise type_error("type.mismatch", message, part.span, "", (part.name,))
-        if len(value.shape) != len(old.shape) or (old.items and value.shape != old.shape):
-            message = f"`{part.name}` is {describe(old)}, but it is assigned {describe(value)}"
-            raise type_error("type.array-size", message, part.span, "", (part.name,))
-        return Value(old.type, value.shape, value.items)
-    return value
-
-
-def _store_elements(frame: Frame, old: AnyValue, parts: list[ast.NamePart], value: AnyValue) -> AnyValue:
-    part = parts[0]
-    if isinstance(old, RecordValue):
-        message = f"`{part.name}` is {describe(old)}, not an array"
-        raise type_error("type.not-array", message, part.span, "", (part.name,))
-    picks = subscript_values(frame.translation, part.subscripts, old.shape, frame.env(), part.name)
-    ranges = [(p,) if isinstance(p, int) else p for p in picks]
-    targets = [index_offset(old.shape, index) for index in product(*ranges)]
-    if isinstance(old, RecordArray):
-        return _store_records(frame, old, targets, parts, value)
-    new = as_value(value, part.span)
-    if len(targets) != len(new.items) or len(parts) > 1:
-        message = f"{describe(new)} does not fit this part of `{part.name}`"
-        raise type_error("type.array-size", message, part.span, "", (part.name,))
-    if not assignable(new.type, old.type):
-        message = f"`{part.name}` holds {old.type}, but it is assigned {describe(new)}"
-        raise type_error("type.mismatch", message, part.span, "", (part.name,))
-    items = list(old.items)
-    for offset, item in zip(targets, new.items, strict=True):
-        items[offset] = item
-    return Value(old.type, old.shape, tuple(items))
-
-
-def _store_records(
-    frame: Frame, old: RecordArray, targets: list[int], parts: list[ast.NamePart], value: AnyValue
-) -> RecordArray:
-    """One record of an array, or one field of it."""
-    if len(targets) != 1:
-        message = f"only one element of the array of records `{parts[0].name}` can be assigned at a time"
-        raise type_error("type.record", message, parts[0].span, "", (parts[0].name,))
-    (offset,) = targets
-    items = list(old.items)
-    bare = ast.NamePart(parts[0].name, None, parts[0].span)
-    new = _updated(frame, items[offset], [bare, *parts[1:]], value)
-    if not isinstance(new, RecordValue):
-        message = f"{describe(new)} is assigned to a record of `{parts[0].name}`"
-        raise type_error("type.mismatch", message, parts[0].span, "", (parts[0].name,))
-    items[offset] = new
-    result = stack(items, old.shape)
-    assert isinstance(result, RecordArray)
-    return result
+def _call(frame: Frame, call: ast.Call) -> None:
+    """A call that stands alone: `assert`, `terminate`, or a function whose results are not used."""
+    name = call.function.text
+    if name == "assert":
+        assertion = assertion_of(frame.translation, call, frame.env(), frame.component)
+        add_assertion(frame.translation.assertions, assertion, frame.guard)
+    elif name == "terminate" and frame.instance is not None:
+        text = termination_text(frame.translation, call, frame.env())
+        frame.terminations.append((frame.guard, Termination(text, call.span, frame.component)))
+    elif name in ("terminate", "reinit"):
+        message = f"`{name}` cannot stand in {'a function' if frame.instance is None else 'an algorithm'}"
+        raise type_error(f"statement.{name}", message, call.span, "", (frame.scope.path,))
+    else:
+        frame.results(call)
 
 
 # --------------------------------------------------------------------------- branches
 
 
-def _if(
-    frame: Frame,
-    branches: Sequence[_BranchNode],
-    otherwise: tuple[ast.Statement, ...],
-) -> None:
+def _if(frame: Frame, branches: Sequence[_BranchNode], otherwise: tuple[ast.Statement, ...]) -> Flow:
     if not branches:
-        _statements(frame, otherwise)
-        return
+        return _statements(frame, otherwise)
     (condition, body), rest = branches[0], branches[1:]
-    test = as_boolean(frame.translation.value(condition, frame.env()), condition.span)
+    test = as_boolean(frame.value(condition), condition.span)
     known = frame.translation.decide_discrete(test)
     if known is None and (_jumps(body) or any(_jumps(b) for _, b in rest) or _jumps(otherwise)):
         known = frame.translation.decide(test)
     if known is not None:
-        if known:
-            _statements(frame, body)
-        else:
-            _if(frame, rest, otherwise)
-        return
-    before, assigned = dict(frame.variables), set(frame.assigned)
+        return _statements(frame, body) if known else _if(frame, rest, otherwise)
+    before = state_of(frame)
     try:
-        _both(frame, test, branches, otherwise)
-    except _Signal:
-        raise _not_inlinable(frame, condition.span) from None
+        return _both(
+            frame,
+            test,
+            lambda: _statements(frame, body),
+            lambda: _if(frame, rest, otherwise),
+            condition.span,
+        )
     except TypeProblem:  # sizes or indices make sense in one of the branches only
         known = frame.translation.decide(test)
         if known is None:
             raise
-        frame.variables, frame.assigned = before, assigned
-        if known:
-            _statements(frame, body)
-        else:
-            _if(frame, rest, otherwise)
+        undo(frame, before)
+        return _statements(frame, body) if known else _if(frame, rest, otherwise)
 
 
 def _both(
-    frame: Frame,
-    test: Expr,
-    branches: Sequence[_BranchNode],
-    otherwise: tuple[ast.Statement, ...],
-) -> None:
-    """Run the first branch and the others, each from the same start, and merge what they assign."""
-    (condition, body), rest = branches[0], branches[1:]
-    before, assigned = dict(frame.variables), set(frame.assigned)
-    _statements(frame, body)
-    taken, frame.variables = frame.variables, before
-    first, frame.assigned = frame.assigned, assigned
-    _if(frame, rest, otherwise)
-    frame.assigned |= first
-    frame.variables = _merged(test, taken, frame.variables, condition.span)
+    frame: Frame, test: Expr, first: Callable[[], Flow], second: Callable[[], Flow], span: Span
+) -> Flow:
+    """Run two branches, each from the same start, and merge what they assign."""
+    before = state_of(frame)
+    flow = run_under(frame, test, first)
+    taken = state_of(frame)
+    restore(frame, before)
+    other_flow = run_under(frame, ex.logical_not(test), second)
+    merge(frame, test, taken, state_of(frame), span)
+    return either(test, flow, other_flow)
 
 
 def _jumps(body: Iterable[ast.Statement]) -> bool:
@@ -252,67 +153,102 @@ def _jumps(body: Iterable[ast.Statement]) -> bool:
     return False
 
 
-def _not_inlinable(frame: Frame, span: Span) -> AcausalError:
-    return fail(
-        UnsupportedProblem,
-        "unsupported.conditional-jump",
-        f"`{frame.scope.path}` cannot be inlined: it loops, returns or breaks under a condition "
-        "that is not known at compile time",
+# --------------------------------------------------------------------------- when
+
+
+def _when(frame: Frame, statement: ast.WhenStatement) -> Flow:
+    """`when` of an algorithm section: an `if` on the firing of its conditions (11.2.7.3)."""
+    tests = [_fires(frame, condition) for condition, _ in statement.branches]
+    outer = frame.at_event
+    frame.at_event = True
+    try:
+        return _when_branches(frame, tests, [body for _, body in statement.branches], statement.span)
+    finally:
+        frame.at_event = outer
+
+
+def _when_branches(
+    frame: Frame, tests: Sequence[Expr], bodies: Sequence[Sequence[ast.Statement]], span: Span
+) -> Flow:
+    if not tests:
+        return STAYS
+    if tests[0] is FALSE:
+        return _when_branches(frame, tests[1:], bodies[1:], span)
+    return _both(
+        frame,
+        tests[0],
+        lambda: _statements(frame, bodies[0]),
+        lambda: _when_branches(frame, tests[1:], bodies[1:], span),
         span,
-        names=[frame.scope.path],
-        hint="assign in both branches instead of returning from one",
     )
 
 
-def _merged(
-    test: Expr, taken: dict[str, AnyValue], other: dict[str, AnyValue], span: Span
-) -> dict[str, AnyValue]:
-    return {
-        name: a if a is other[name] else choose(test, a, other[name], span)
-        for name, a in taken.items()
-        if name in other
-    }
+def _fires(frame: Frame, condition: ast.Expression) -> Expr:
+    """Whether one of the conditions fires at this event."""
+    value = as_value(frame.value(condition), condition.span)
+    if value.type != BOOLEAN or len(value.shape) > 1:
+        message = f"the condition of a `when` is a Boolean or a vector of Booleans, not {describe(value)}"
+        raise type_error("type.not-boolean", message, condition.span, "", ex.symbols(value.items))
+    return ex.logical_or(*[ex.trigger(item) for item in value.items])
 
 
 # --------------------------------------------------------------------------- loops
 
 
-def _for(frame: Frame, iterators: Sequence[ast.Iterator], body: Sequence[ast.Statement]) -> None:
+def _for(frame: Frame, iterators: Sequence[ast.Iterator], body: Sequence[ast.Statement]) -> Flow:
     """`for i in r, j in s loop`: `break` leaves them all."""
-    try:
-        _for_nested(frame, iterators, body)
-    except _Break:
-        return
+    return Flow(_for_nested(frame, iterators, body).returned) if iterators else STAYS
 
 
-def _for_nested(frame: Frame, iterators: Sequence[ast.Iterator], body: Sequence[ast.Statement]) -> None:
+def _for_nested(frame: Frame, iterators: Sequence[ast.Iterator], body: Sequence[ast.Statement]) -> Flow:
     if not iterators:
-        _statements(frame, body)
-        return
+        return _statements(frame, body)
     first, rest = iterators[0], iterators[1:]
+    values = iterator_values(frame.translation, first, frame.env())
     hidden = frame.variables.get(first.name)
-    try:
-        for value in iterator_values(frame.translation, first, frame.env()):
-            frame.translation.count_step(frame.scope.path, first.span)
-            frame.variables[first.name] = value
-            _for_nested(frame, rest, body)
-    finally:
-        if hidden is None:
-            frame.variables.pop(first.name, None)
-        else:
-            frame.variables[first.name] = hidden
+    flow = STAYS
+    for value in values:
+        frame.count_step(first.span)
+        frame.variables[first.name] = value
+        flow = _next(frame, flow, lambda: _for_nested(frame, rest, body), first.span)
+        if flow.certain:
+            break
+    if hidden is None:
+        frame.variables.pop(first.name, None)
+    else:
+        frame.variables[first.name] = hidden
+    return flow
 
 
-def _while(frame: Frame, statement: ast.WhileStatement) -> None:
-    try:
-        while True:
-            frame.translation.count_step(frame.scope.path, statement.span)
-            condition = frame.translation.value(statement.condition, frame.env())
-            test = frame.translation.decide(as_boolean(condition, statement.condition.span))
-            if test is None:
-                raise _not_inlinable(frame, statement.condition.span)
-            if not test:
-                return
-            _statements(frame, statement.body)
-    except _Break:
-        return
+def _next(frame: Frame, flow: Flow, run: Callable[[], Flow], span: Span) -> Flow:
+    """Run once more where control has not left the loop."""
+    if flow is STAYS or flow.left is FALSE:
+        return run()
+    if len(flow.left.args) > MOST_UNCERTAIN:
+        raise _run_time_loop(frame, span)
+    return then(flow, only_where(frame, ex.logical_not(flow.left), run, span))
+
+
+def _while(frame: Frame, statement: ast.WhileStatement) -> Flow:
+    flow = STAYS
+    while not flow.certain:
+        frame.count_step(statement.span)
+        condition = frame.value(statement.condition)
+        test = frame.translation.decide(as_boolean(condition, statement.condition.span))
+        if test is None:
+            raise _run_time_loop(frame, statement.condition.span)
+        if not test:
+            break
+        flow = _next(frame, flow, lambda: _statements(frame, statement.body), statement.span)
+    return Flow(flow.returned)
+
+
+def _run_time_loop(frame: Frame, span: Span) -> AcausalError:
+    return fail(
+        UnsupportedProblem,
+        "unsupported.run-time-loop",
+        f"`{frame.scope.path}` has a loop whose number of repetitions is known at run time only",
+        span,
+        names=[frame.scope.path],
+        hint="write `for i in 1:n loop` with a fixed n, and `if condition then break; end if;` inside",
+    )

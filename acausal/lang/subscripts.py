@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import prod
 
+from acausal.errors import TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.flat import BOOLEAN, INTEGER
+from acausal.lang.index_choices import Choice, VariableIndex, check_size, chosen, variable_index, with_chosen
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, literal, subscript
 from acausal.symbolic.expressions import expr as ex
@@ -44,7 +46,12 @@ def _index(translation: Translation, value: Value, k: int, size: int, item: ast.
     if value.type not in (INTEGER, BOOLEAN) and not value.type.is_enumeration:
         message = f"a subscript of `{path}` must be Integer, not {describe(value)}"
         raise type_error("type.subscript", message, item.span, "", (path,))
-    constant = translation.evaluate_expr(value.items[k], item.span, f"the subscript of `{path}`")
+    try:
+        constant = translation.evaluate_expr(value.items[k], item.span, f"the subscript of `{path}`")
+    except TypeProblem as problem:
+        if value.shape or problem.codes != ("structural.not-constant",):
+            raise
+        raise variable_index(problem, Choice(item, value.item, size, value.type, path)) from None
     number = ex.const(constant).number
     index = int(number) if value.type == BOOLEAN else int(number) - 1
     if not 0 <= index < size:
@@ -56,7 +63,25 @@ def _index(translation: Translation, value: Value, k: int, size: int, item: ast.
 def subscripted(
     translation: Translation, value: AnyValue, subscripts: ast.Subscripts, env: Env, path: str
 ) -> AnyValue:
-    """`value[subscripts]` of an array of scalars or of records."""
+    """`value[subscripts]` of an array of scalars or of records; a subscript may vary at run time."""
+    try:
+        return _subscripted(translation, value, subscripts, env, path)
+    except VariableIndex as varying:
+        choice = varying.choice
+        if choice is None or not any(item is choice.node for item in subscripts.items):
+            raise
+    check_size(choice)
+    values = [
+        subscripted(translation, value, with_chosen(subscripts, choice, k), env, path)
+        for k in range(1, choice.size + 1)
+    ]
+    choice.check(translation, ex.TRUE)
+    return chosen(choice, values, subscripts.span)
+
+
+def _subscripted(
+    translation: Translation, value: AnyValue, subscripts: ast.Subscripts, env: Env, path: str
+) -> AnyValue:
     if isinstance(value, RecordValue):
         message = f"`{path}` is {describe(value)}, not an array"
         raise type_error("type.not-array", message, subscripts.span, "", (path,))

@@ -19,10 +19,11 @@ from acausal.lang.array_functions import Builtin
 from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
 from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.connection_calls import CONNECTION_CALLS
-from acausal.lang.flat import INTEGER, REAL, Variability
+from acausal.lang.flat import INTEGER, REAL, Assertion, Variability
 from acausal.lang.formals import Formal
 from acausal.lang.function_lookup import function_scope
 from acausal.lang.functions import call_function, construct_record
+from acausal.lang.index_choices import Choice, VariableIndex, check_size, chosen, holds, with_index
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
@@ -39,7 +40,7 @@ from acausal.lang.parameter_errors import (
     too_many_steps,
 )
 from acausal.lang.record_arrays import REARRANGING, rearranged
-from acausal.lang.references import member_value, refuse_conditional, resolve
+from acausal.lang.references import current_value, member_value, refuse_conditional, resolve
 from acausal.lang.scope import FoundComponent, Root, Scope
 from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import subscripted
@@ -66,6 +67,8 @@ class Translator:
         self.formals: dict[Scope, tuple[Formal, ...]] = {}
         self.structural: dict[str, None] = {}
         self._network: Network | None = None
+        self.assertions: list[Assertion] = []
+        self.left_limits: dict[str, Span] = {}
         self._values: dict[str, Constant] = {}
         self._constants: dict[Leaf, Constant] = {}
         self._busy: dict[Leaf, None] = {}
@@ -83,6 +86,10 @@ class Translator:
             message = "this depends on connections, which are not known while components are built"
             raise type_error("connections.too-early", message, span)
         return self._network
+
+    def leaf(self, path: str) -> Leaf | None:
+        """The scalar of this name, if an expression named it."""
+        return self.leaves.get(path)
 
     def note(self, leaf: Leaf) -> None:
         """Remember a scalar that an expression names, for `parameter_value`."""
@@ -271,9 +278,22 @@ class Translator:
                 return self._local(local, node, env)
             if first.name == "time" and len(node.parts) == 1:
                 return scalar(REAL, ex.TIME)
-        found = resolve(self, node, env)
+        try:
+            found = resolve(self, node, env)
+        except VariableIndex as varying:
+            if varying.choice is None or not holds(node, varying.choice):
+                raise
+            return self._chosen(node, varying.choice, env)
         refuse_conditional(node, env)
-        return member_value(self, found, node)
+        value = member_value(self, found, node)
+        return current_value(value, env.current) if env.current else value
+
+    def _chosen(self, node: ast.ComponentReference, choice: Choice, env: Env) -> AnyValue:
+        """The value of a reference with a subscript that varies at run time."""
+        check_size(choice)
+        values = [self._reference(with_index(node, choice, k), env) for k in range(1, choice.size + 1)]
+        choice.check(self, ex.TRUE)
+        return chosen(choice, values, node.span)
 
     def _local(self, value: AnyValue, node: ast.ComponentReference, env: Env) -> AnyValue:
         for i, part in enumerate(node.parts):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from acausal.errors import Diagnostic, Span
 from acausal.lang import ast
+from acausal.lang.flat import Assertion
 from acausal.lang.instance import Instance, Leaf, Member
 from acausal.lang.light import light_object
 from acausal.lang.modifiers import Binding, Context
@@ -35,12 +36,25 @@ class Env:
     """Of the dimension being subscripted: the value of `end`."""
     depth: int = 0
     """How many function calls deep."""
+    current: Mapping[Expr, Expr] = field(default_factory=dict[Expr, Expr])
+    """Values that variables have at this point of an algorithm section."""
+    at_event: bool = False
+    """In a when-clause or an initial section, where every variable is discrete."""
 
     def with_locals(self, more: Mapping[str, AnyValue]) -> Env:
-        return Env(self.context, {**self.locals, **more}, self.size, self.depth)
+        locals_ = {**self.locals, **more}
+        return Env(self.context, locals_, self.size, self.depth, self.current, self.at_event)
 
     def with_size(self, size: Value) -> Env:
-        return Env(self.context, self.locals, size, self.depth)
+        return Env(self.context, self.locals, size, self.depth, self.current, self.at_event)
+
+    def with_event(self) -> Env:
+        """The same place at an event."""
+        return Env(self.context, self.locals, self.size, self.depth, self.current, at_event=True)
+
+    def without_current(self) -> Env:
+        """The same place before the algorithm section began."""
+        return Env(self.context, self.locals, self.size, self.depth, {}, self.at_event)
 
 
 class Instances(Protocol):
@@ -129,6 +143,20 @@ class Translation(Protocol):
 
     def enumerated(self, node: ast.Expression, env: Env) -> list[Value] | None:
         """The values of a type that can be a dimension or a range (`Boolean`, an enumeration); else None."""
+        ...
+
+    @property
+    def assertions(self) -> list[Assertion]:
+        """Those of the functions called so far, for whoever knows when they are called to guard them."""
+        ...
+
+    @property
+    def left_limits(self) -> dict[str, Span]:
+        """Real variables under `pre` outside when-clauses: they must turn out to be discrete."""
+        ...
+
+    def leaf(self, path: str) -> Leaf | None:
+        """The scalar of this name, if an expression named it."""
         ...
 
     def note(self, leaf: Leaf) -> None:

@@ -30,12 +30,14 @@ def without_triggers(flat: FlatModel) -> FlatModel:
             equations.append(replace(equation, right=work.with_edges(equation.right)))
     if not work.found:
         return flat
+    whens = [work.in_clause(when) for when in whens]
+    assertions = [replace(a, condition=work.with_edges(a.condition)) for a in flat.assertions]
     variables, definitions = tuple(work.variables), tuple(work.definitions)
     return replace(
         flat,
         variables=flat.variables + variables,
         equations=(*equations, *definitions),
-        assertions=tuple([replace(a, condition=work.with_edges(a.condition)) for a in flat.assertions]),
+        assertions=tuple(assertions),
         whens=tuple(whens),
     )
 
@@ -71,8 +73,12 @@ class _Triggers:
         self._flat = flat
         self._held: dict[Expr, bool] = {}
         self._edges: dict[Expr, Expr] = {}
-        self.found = any(self.held_by(e.right) for e in flat.equations) or any(
-            self.held_by(a.condition) for a in flat.assertions
+        self.found = any(
+            [
+                *[self.held_by(e.right) for e in flat.equations],
+                *[self.held_by(a.condition) for a in flat.assertions],
+                *[self.held_by(c) for when in flat.whens for b in when.branches for c in b.conditions],
+            ]
         )
         self.variables: list[Variable] = []
         self.definitions: list[Equation] = []
@@ -88,6 +94,14 @@ class _Triggers:
             if node.op == "trigger" and node not in self._edges:
                 self._edges[node] = ex.call(Named("edge", 1), self._boolean(node.args[0]))
         return ex.substitute(root, self._edges)
+
+    def in_clause(self, when: When) -> When:
+        """The clause with edges in its conditions."""
+        branches = [
+            replace(branch, conditions=tuple([self.with_edges(c) for c in branch.conditions]))
+            for branch in when.branches
+        ]
+        return replace(when, branches=tuple(branches))
 
     def _boolean(self, condition: Expr) -> Expr:
         if condition.op == "sym":

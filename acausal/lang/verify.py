@@ -186,8 +186,19 @@ def _equation(typing: Typing, equation: Equation, *, initial: bool) -> Iterator[
         return
     if not comparable(left.type, right.type):
         yield _different_types(equation, left, right)
+    elif equation.origin is Origin.ALGORITHM:
+        yield from _assigned(equation, left, right)
     elif not initial:
         yield from _discreteness(equation, ((equation.left, left), (equation.right, right)))
+
+
+def _assigned(equation: Equation, left: Kind, right: Kind) -> Iterator[Diagnostic]:
+    """What is assigned must not vary more than the variable (3.8)."""
+    if left.variability is Variability.DISCRETE and right.variability is Variability.CONTINUOUS:
+        message = f"{short_text(equation.left)} is discrete, but {short_text(equation.right)} is continuous"
+        hint = "assign it in a when-statement, or use a relation outside noEvent"
+        names = symbols([equation.left, equation.right])
+        yield Diagnostic("type.discrete", message, equation.span, names, hint)
 
 
 def _different_types(equation: Equation, left: Kind, right: Kind) -> Diagnostic:

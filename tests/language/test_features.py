@@ -22,7 +22,7 @@ def test_flat_text(path: Path) -> None:
 @pytest.mark.parametrize("path", FEATURES, ids=lambda path: path.stem)
 def test_is_balanced(path: Path) -> None:
     flat = flat_model(path.read_text(), path.name)
-    assert len(flat.equations) == len(flat.unknowns)
+    assert flat.equation_count == len(flat.unknowns)
 
 
 def test_no_expectation_is_left_over() -> None:

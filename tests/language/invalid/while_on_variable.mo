@@ -1,4 +1,4 @@
-// error: unsupported.conditional-jump line 6 names f
+// error: unsupported.run-time-loop line 6 names f
 function f
   input Real u;
   output Real y = u;

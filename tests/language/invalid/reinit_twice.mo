@@ -1,0 +1,9 @@
+// error: reinit.twice line 7 names x
+model Test
+  Real x(start = 1);
+equation
+  der(x) = -x;
+  when x < 0.5 then
+    reinit(x, 2); reinit(x, 3);
+  end when;
+end Test;
