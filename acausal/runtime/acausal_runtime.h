@@ -111,7 +111,7 @@ typedef struct {
     double *stage, *k, *scale, *ratio, *error;
     double *side, *slack, *g_old, *g_new, *g_try, *g_mid;
     int *crossed;
-    int have_step, have_f0, have_old, have_jacobian, first, last_rejected;
+    int have_step, have_f0, have_old, have_jacobian, have_dense, first, last_rejected;
     double h_next, h_accepted, err_accepted, h_old;
     ac_long index;             /* fixed steps: number of the next grid point */
     ac_lu lu;
@@ -142,6 +142,8 @@ int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long 
 void ac_interpolate(const ac_solver *s, double t, double *x);
 /* The sizes of ac_function, ac_model, ac_lu and ac_solver. */
 void ac_sizes(int *sizes);
+/* Seconds, for `clock` (host.c). */
+double ac_clock(void);
 
 /* Inside the run-time. */
 int ac_call(const ac_function *f);

@@ -17,7 +17,6 @@ METHODS = {
 """The methods' numbers in the run-time; all but the first step with a fixed length."""
 
 FILL = ctypes.CFUNCTYPE(None, c_double)
-CLOCK = ctypes.CFUNCTYPE(c_double)
 
 _DOUBLES, _INTS = c_void_p, c_void_p
 
@@ -149,7 +148,7 @@ class SolverStructure(Structure):
         *_typed("t t0 t1 h", c_double),
         *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 stage k scale ratio error"),
         *_pointers("side slack g_old g_new g_try g_mid crossed"),
-        *_typed("have_step have_f0 have_old have_jacobian first last_rejected", c_int),
+        *_typed("have_step have_f0 have_old have_jacobian have_dense first last_rejected", c_int),
         *_typed("h_next h_accepted err_accepted h_old", c_double),
         *_typed("index", c_longlong),
         ("lu", LuStructure),
@@ -178,5 +177,6 @@ class RunTime:
         self.sweep = library.ac_sweep
         self.sweep.argtypes = [solver, _DOUBLES, c_int, c_double, c_longlong, _DOUBLES, _INTS]
         self.sweep.restype = c_int
+        self.clock = ctypes.cast(library.ac_clock, c_void_p).value
         self.sizes = library.ac_sizes
         self.sizes.argtypes, self.sizes.restype = [_INTS], None

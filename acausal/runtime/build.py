@@ -25,8 +25,16 @@ from pathlib import Path
 
 from acausal.errors import UnsupportedProblem, fail
 
-_FLAGS = ("-std=c99", "-fPIC", "-shared", "-ffp-contract=off")
-"""Products and sums are rounded one by one, as CasADi's virtual machine does it."""
+_FLAGS = (
+    "-std=c99",
+    "-fPIC",
+    "-shared",
+    "-fno-semantic-interposition",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-ffp-contract=off",
+)
+"""Products and sums are rounded one by one, as CasADi's virtual machine does it; no flags or `errno` are kept."""
 _TIMEOUT = 600.0
 _SUFFIX = ".dylib" if sys.platform == "darwin" else ".so"
 
@@ -180,7 +188,7 @@ def run_time_sources() -> Sources:
     """The fixed C files of the run-time, as they stand in the package."""
     folder = Path(__file__).parent
     names = sorted(path.name for path in folder.iterdir() if path.suffix in (".c", ".h"))
-    return Sources({name: (folder / name).read_text(encoding="utf-8") for name in names})
+    return Sources({name: (folder / name).read_text(encoding="utf-8") for name in names}, "-O3")
 
 
 def run_time() -> ctypes.CDLL:

@@ -74,14 +74,19 @@ static int third_order(ac_solver *s, double h)
 static int heun(ac_solver *s, double h)
 {
     int n = s->model->states;
+    const double *restrict x0 = s->x0, *restrict f0 = s->f0, *restrict k = s->k;
+    double *restrict stage = s->stage, *restrict x1 = s->x1;
     for (int i = 0; i < n; i++) {
-        s->stage[i] = s->x0[i] + h * s->f0[i];
+        stage[i] = x0[i] + h * f0[i];
     }
     int code = at(s, s->t0 + h, s->k);
-    for (int i = 0; code == 0 && i < n; i++) {
-        s->x1[i] = s->x0[i] + 0.5 * h * (s->f0[i] + s->k[i]);
+    if (code != 0) {
+        return code;
     }
-    return code;
+    for (int i = 0; i < n; i++) {
+        x1[i] = x0[i] + 0.5 * h * (f0[i] + k[i]);
+    }
+    return 0;
 }
 
 /* Adams and Bashforth's second-order method with the last two slopes; Heun's where there is only one. */
@@ -140,9 +145,10 @@ int ac_explicit(ac_solver *s, double h)
     }
 }
 
-/* Dense output by a cubic through both ends and slopes. */
+/* Dense output by a cubic through both ends and slopes, made when it is first asked for. */
 void ac_hermite(ac_solver *s)
 {
+    s->have_dense = 1;
     for (int i = 0; i < s->model->states; i++) {
         double rise = s->x1[i] - s->x0[i];
         s->k1[i] = s->h * s->f0[i] - rise;
@@ -153,12 +159,11 @@ void ac_hermite(ac_solver *s)
 
 static int finished(ac_solver *s)
 {
-    int n = s->model->states;
-    int code = ac_finite(s->x1, n) ? ac_slope(s->model, s->t1, s->x1, s->f1) : AC_NOT_FINITE;
+    int code = ac_slope(s->model, s->t1, s->x1, s->f1);
     if (code != 0) {
         return code;
     }
-    ac_hermite(s);
+    s->have_dense = 0;
     s->steps++;
     return s->steps > s->max_steps ? AC_TOO_MANY_STEPS : 0;
 }
@@ -166,16 +171,18 @@ static int finished(ac_solver *s)
 /* One step from (t1, x1) to the next point of the grid origin + index step, or to `until` if that is nearer. */
 int ac_fixed_step(ac_solver *s, double until)
 {
-    int n = s->model->states;
-    size_t bytes = (size_t)n * sizeof(double);
     if (s->have_f0 && s->have_step) {
-        memcpy(s->f_old, s->f0, bytes);
-        memcpy(s->f0, s->f1, bytes);
+        double *oldest = s->f_old;
+        s->f_old = s->f0;
+        s->f0 = s->f1;
+        s->f1 = oldest;
         s->h_old = s->h;
         s->have_old = 1;
     }
+    double *start = s->x1;
+    s->x1 = s->x0;
+    s->x0 = start;
     s->t0 = s->t1;
-    memcpy(s->x0, s->x1, bytes);
     if (!s->have_f0) {
         int code = ac_slope(s->model, s->t0, s->x0, s->f0);
         if (code != 0) {
@@ -193,5 +200,11 @@ int ac_fixed_step(ac_solver *s, double until)
     s->t1 = until - end > 1e-9 * s->step ? end : until;
     s->h = s->t1 - s->t0;
     int code = ac_explicit(s, s->h);
+    if (code == AC_MEMORY) { /* as if nothing had happened: it is tried again */
+        s->x0 = s->x1;
+        s->x1 = start;
+        s->t1 = s->t0;
+        s->have_f0 = 0;
+    }
     return code == 0 ? finished(s) : code;
 }

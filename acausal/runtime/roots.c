@@ -186,6 +186,9 @@ int ac_search(ac_solver *s)
         s->t = s->t1;
         return AC_EVENT;
     }
+    if (!s->have_dense) {
+        ac_hermite(s);
+    }
     int points = LEAST;
     double wanted = s->sample > 0.0 ? ceil((s->t1 - s->t0) / s->sample) : LEAST;
     if (wanted > LEAST) {

@@ -113,7 +113,6 @@ static int shortened(ac_solver *s)
         ac_interpolate(s, s->t, s->x);
         return 0;
     }
-    double end = s->t1;
     s->t1 = s->t;
     s->h = s->t1 - s->t0;
     int code = ac_explicit(s, s->h);
@@ -126,7 +125,7 @@ static int shortened(ac_solver *s)
     if (code != 0) {
         return code;
     }
-    ac_hermite(s);
+    s->have_dense = 0;
     memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
     return 0;
 }
@@ -158,6 +157,9 @@ static int written(ac_solver *s, const double *grid, int count, double *rows, in
 {
     while (*filled < count && grid[*filled] <= s->t) {
         double *row = rows + (size_t)*filled * (size_t)s->model->outputs;
+        if (s->have_step && !s->have_dense && grid[*filled] < s->t1) {
+            ac_hermite(s);
+        }
         if (s->have_step) {
             ac_interpolate(s, grid[*filled], s->stage);
         } else {

@@ -154,6 +154,7 @@ static void accept(ac_solver *s, double h, double e)
 int ac_variable_step(ac_solver *s, double until)
 {
     int n = s->model->states;
+    s->have_dense = 1;
     s->t0 = s->t1;
     memcpy(s->x0, s->x1, (size_t)n * sizeof(double));
     int code = begun(s, until);

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from acausal.errors import AcausalError, SimulationProblem, fail
 from acausal.runtime import binding
-from acausal.runtime.binding import CLOCK, FILL, METHODS, ModelStructure, RunTime, SolverStructure
+from acausal.runtime.binding import FILL, METHODS, ModelStructure, RunTime, SolverStructure
 from acausal.simulate.cvode import BATCH, SLOW_BATCHES
 from acausal.simulate.elimination import eliminate
 from acausal.simulate.evaluator import Evaluator
@@ -159,9 +159,7 @@ class NativeSolver:
         solver.min_step, solver.max_step, solver.sample = limits.min_step, limits.max_step, limits.sample
         solver.step, solver.origin, solver.max_steps = limits.step, limits.start, limits.max_steps
         if method != METHODS["rodas"]:
-            clock = CLOCK(perf_counter)
-            memory.kept.append(clock)
-            solver.clock = ctypes.cast(clock, ctypes.c_void_p).value
+            solver.clock = self._run_time.clock
         solver.jmap, solver.diagonal = memory.array(found.entries), memory.array(found.diagonal)
         solver.lu.n = self._evaluator.x.size
         solver.lu.ap, solver.lu.ai = memory.array(found.columns), memory.array(found.rows)
