@@ -1,4 +1,4 @@
-"""A stiff chain of relief valves, three states each, as Modelica text; `c/valve_chain.h` is the same by hand."""
+"""A stiff chain of relief valves with three states each as Modelica text; by hand: `c/valve_chain.h`."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ _FLAGS = (
     "-fno-trapping-math",
     "-ffp-contract=off",
 )
-"""Products and sums are rounded one by one, as CasADi's virtual machine does it; no flags or `errno` are kept."""
+"""Products and sums are rounded one by one, as the virtual machine does it; no flags or `errno` are kept."""
 _TIMEOUT = 600.0
 _SUFFIX = ".dylib" if sys.platform == "darwin" else ".so"
 

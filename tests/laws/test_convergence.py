@@ -1,0 +1,148 @@
+"""Order of convergence, stability and energy drift of every integrator, on problems with known solutions."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import acausal
+from acausal.simulate.solvers import FIXED
+
+ORDERS = {"euler": 1, "ab2": 2, "heun": 2, "rk3": 3, "dopri5": 5, "lieuler": 1, "rosenbrock": 3}
+
+CURVED = acausal.loads("""
+model Curved "exp(sin t), 1/(1 + t) and a rotation, one depending on the other"
+  Real x(start = 1, fixed = true), y(start = 1, fixed = true), a(start = 1, fixed = true);
+  Real b(start = 0, fixed = true);
+equation
+  der(x) = x*cos(time);
+  der(y) = -y^2;
+  der(a) = -b*(1 + time)*y;
+  der(b) = a*(1 + time)*y;
+end Curved;
+""").compile()
+DECAY = acausal.loads("""
+model Decay
+  parameter Real k = 1;
+  Real x(start = 1, fixed = true);
+equation
+  der(x) = -k*x;
+end Decay;
+""").compile()
+OSCILLATOR = acausal.loads("""
+model Oscillator
+  parameter Real w = 1;
+  Real x(start = 1, fixed = true), v(start = 0, fixed = true);
+equation
+  der(x) = v;
+  der(v) = -w^2*x;
+end Oscillator;
+""").compile()
+
+
+def error(result: acausal.Result) -> float:
+    """Largest error at the output points."""
+    t = result.time
+    exact = {"x": np.exp(np.sin(t)), "y": 1 / (1 + t), "a": np.cos(t), "b": np.sin(t)}
+    return max(float(np.abs(result.values(name) - value).max()) for name, value in exact.items())
+
+
+def slope(steps: list[float], errors: list[float]) -> float:
+    return float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
+
+
+def test_every_fixed_step_solver_has_an_order() -> None:
+    assert sorted(ORDERS) == sorted(FIXED)
+
+
+@pytest.mark.parametrize("solver", FIXED)
+def test_order_of_convergence(solver: str) -> None:
+    steps = [0.1, 0.05, 0.025, 0.0125]
+    runs = [CURVED.simulate(stop_time=2.0, interval=0.5, solver=solver, step=step) for step in steps]
+    errors = [error(run) for run in runs]
+    assert -0.3 < slope(steps, errors) - ORDERS[solver] < 0.8, errors
+
+
+def test_order_of_the_method_with_variable_steps() -> None:
+    """RODAS5P with steps that only `max_step` limits: order 5."""
+    steps = [0.2, 0.1, 0.05, 0.025]
+    errors = [
+        error(CURVED.simulate(stop_time=2.0, interval=0.5, solver="rodas", rtol=0.5, max_step=step))
+        for step in steps
+    ]
+    assert 4.5 < slope(steps, errors) < 6.0, errors
+
+
+@pytest.mark.parametrize("solver", FIXED)
+def test_output_between_steps_is_interpolated(solver: str) -> None:
+    fine = CURVED.simulate(stop_time=2.0, interval=0.013, solver=solver, step=0.01)
+    coarse = CURVED.simulate(stop_time=2.0, interval=0.01, solver=solver, step=0.01)
+    assert error(fine) < 1.5 * error(coarse) + 1e-7
+
+
+def test_variable_steps_follow_the_tolerance() -> None:
+    """An error estimate of order 4 means steps of rtol^(1/5), and so an error of about rtol."""
+    errors: list[float] = []
+    steps: list[int] = []
+    for rtol in (1e-4, 1e-6, 1e-8, 1e-10):
+        result = CURVED.simulate(stop_time=2.0, rtol=rtol, solver="rodas")
+        steps.append(result.statistics.steps)
+        errors.append(abs(result.final(["a"])["a"] - math.cos(2.0)) / rtol)
+    assert max(errors) < 20.0
+    assert steps[-1] / steps[0] < 2.0 * 1e6 ** (1 / 5)
+
+
+def test_dense_output_is_as_good_as_the_steps() -> None:
+    result = CURVED.simulate(stop_time=2.0, interval=0.001, rtol=1e-8, solver="rodas")
+    assert result.statistics.steps < 200
+    off = np.abs(result.values("x") - np.exp(np.sin(result.time)))
+    assert off.max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("solver", "limit"), [("euler", 2.0), ("ab2", 1.0), ("heun", 2.0), ("rk3", 2.5127), ("dopri5", 3.3066)]
+)
+def test_stability_limit_on_the_real_axis(solver: str, limit: float) -> None:
+    """x' = -k x stays bounded up to h k = limit, and grows beyond."""
+    for factor, bounded in ((0.97, True), (1.03, False)):
+        result = DECAY.simulate(
+            stop_time=400.0, interval=400.0, solver=solver, step=1.0, parameters={"k": factor * limit}
+        )
+        assert (abs(result.final(["x"])["x"]) < 1.0) is bounded
+
+
+@given(st.floats(2.0, 9.0))
+@pytest.mark.parametrize("solver", ["lieuler", "rosenbrock"])
+def test_implicit_methods_damp_what_is_stiff(solver: str, exponent: float) -> None:
+    """L-stable: one step takes x' = -k x to nearly nothing, however large h k is."""
+    k = 10.0**exponent
+    result = DECAY.simulate(stop_time=4.0, interval=4.0, solver=solver, step=1.0, parameters={"k": k})
+    assert abs(result.final(["x"])["x"]) < 1e-4
+
+
+@pytest.mark.parametrize(("solver", "drift"), [("rodas", 2e-3), ("dopri5", 1e-4), ("cvode", 5e-2)])
+def test_energy_drift(solver: str, drift: float) -> None:
+    """100 periods of an oscillation."""
+    result = OSCILLATOR.simulate(stop_time=200 * math.pi, interval=math.pi, solver=solver, step=math.pi / 50)
+    energy = result.values("x") ** 2 + result.values("v") ** 2
+    assert np.abs(energy - 1.0).max() < drift
+
+
+@pytest.mark.parametrize("solver", ["rodas", *FIXED])
+@pytest.mark.parametrize("compiled", [False, True])
+def test_same_run_twice_gives_the_same_bytes(solver: str, compiled: bool) -> None:
+    runs = [CURVED.simulate(stop_time=1.0, solver=solver, step=0.01, compiled=compiled) for _ in range(2)]
+    assert runs[0].data.tobytes() == runs[1].data.tobytes()
+
+
+@pytest.mark.parametrize("solver", ["rodas", *FIXED])
+def test_compiled_functions_and_virtual_machine_agree(solver: str) -> None:
+    machine, compiled = (
+        CURVED.simulate(stop_time=1.0, solver=solver, step=0.01, compiled=way) for way in (False, True)
+    )
+    assert machine.data == pytest.approx(compiled.data, rel=1e-13, abs=1e-13)
+    assert machine.statistics.steps == compiled.statistics.steps
