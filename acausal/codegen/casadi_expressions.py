@@ -135,7 +135,7 @@ CONSTRUCTORS: dict[str, _Build] = {
 WRAPPERS = frozenset({"noEvent", "smooth"})
 """Below these, relations are computed instead of being events."""
 
-SWITCHING = RELATIONS | {"floor"}
+SWITCHING = RELATIONS | {"integer"}
 """Operators whose value may be given from outside, constant between events."""
 
 
@@ -143,11 +143,11 @@ class Converter:
     """Converts expressions to SX over fixed leaves; the memos live as long as the converter.
 
     `leaves` gives the SX of symbols, `der(x)` and anything else that is an input (more may be added between
-    calls, as blocks are solved). A relation or `floor` in `modes` becomes its symbol, except below `noEvent`
-    and `smooth`, where it is computed: hence one memo for each of the two contexts.
+    calls, as blocks are solved). A relation or `integer` in `modes` becomes its symbol, except below
+    `noEvent` and `smooth`, where it is computed: hence one memo for each of the two contexts.
     """
 
-    def __init__(self, leaves: dict[Expr, SX], modes: Mapping[Expr, SX]) -> None:
+    def __init__(self, leaves: dict[Expr, SX], modes: dict[Expr, SX]) -> None:
         self.leaves = leaves
         self.modes = modes
         self._memos: tuple[dict[Expr, SX], dict[Expr, SX]] = ({}, {})
@@ -193,7 +193,7 @@ def to_casadi(
     roots: Iterable[Expr], leaves: Mapping[Expr, SX], modes: Mapping[Expr, SX] | None = None
 ) -> list[SX]:
     """The SX of each root, sharing every node. Raises `UnsupportedProblem` for what has no numeric code."""
-    convert = Converter(dict(leaves), modes or {})
+    convert = Converter(dict(leaves), dict(modes or {}))
     return [convert(root) for root in roots]
 
 

@@ -82,10 +82,17 @@ class Scope:
         for unknown, value in zip(block.unknowns, unknowns[0] + unknowns[1], strict=True):
             self._define(unknown, value)
 
-    def function(self, name: str, outputs: Sequence[tuple[str, SX]]) -> Function:
-        """A Function of the scope's inputs."""
-        names = [output for output, _ in outputs]
-        return Function(name, self.inputs, [value for _, value in outputs], self.names, names, FORWARD)
+    def branch(self) -> Converter:
+        """A new conversion that knows what this one does, with a memo of its own."""
+        return Converter(dict(self.convert.leaves), dict(self.convert.modes))
+
+    def function(
+        self, name: str, outputs: Sequence[tuple[str, SX]], more: Sequence[tuple[str, SX]] = ()
+    ) -> Function:
+        """A Function of the scope's inputs and of `more`."""
+        inputs, values = [*self.inputs, *(symbol for _, symbol in more)], [value for _, value in outputs]
+        names = [*self.names, *(name for name, _ in more)]
+        return Function(name, inputs, values, names, [output for output, _ in outputs], FORWARD)
 
 
 def block_scope(block: Block, known: Sequence[Expr]) -> tuple[SX, SX, Scope]:

@@ -15,9 +15,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
-from casadi import MX, Function
+from casadi import MX, SX, Function
 
-from acausal.codegen.casadi_expressions import FORWARD
+from acausal.codegen.casadi_expressions import FORWARD, Converter
 from acausal.codegen.program import Program, explicit_code
 from acausal.codegen.scope import Scope, block_scope, column
 from acausal.codegen.segments import Segment, expressions, reads
@@ -51,6 +51,20 @@ class Stitching:
     def function(self, name: str, goal: Goal) -> Function:
         """From the program's inputs and `z` to the goal."""
         return self._scope.function(name, [(goal.name, self._scope.column(goal.roots, goal.literal))])
+
+    def column(self, roots: Sequence[Expr], literal: bool = False) -> SX:
+        """The values of `roots`, for `made`."""
+        return self._scope.column(roots, literal)
+
+    def converter(self) -> Converter:
+        """Another conversion over the same known values, to which more may be added."""
+        return self._scope.branch()
+
+    def made(
+        self, name: str, outputs: Sequence[tuple[str, SX]], more: Sequence[tuple[str, SX]] = ()
+    ) -> Function:
+        """From the program's inputs, `z` and `more` inputs to the outputs."""
+        return self._scope.function(name, outputs, more)
 
     def closed(self, name: str, goals: Sequence[Goal]) -> Function:
         """From the program's inputs and a guess of `z` to the goals and the solved `z_out`."""

@@ -17,8 +17,21 @@ from acausal.symbolic.alias_errors import (
 from acausal.symbolic.attributes import representative_key, signed
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable
-from acausal.symbolic.expressions.expr import TIME, ZERO, Expr, const, der, div, neg, sub, sym
+from acausal.symbolic.expressions.expr import (
+    TIME,
+    ZERO,
+    Expr,
+    const,
+    der,
+    div,
+    neg,
+    postorder,
+    sub,
+    sym,
+    symbols,
+)
 from acausal.symbolic.expressions.linear import linear_coefficient
+from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
 from acausal.symbolic.parameters import ParameterValues
@@ -132,7 +145,7 @@ class AliasSearch:
             and leaf.name in variables
             and not variables[leaf.name].is_unknown
             for leaf in all_leaves([value])
-        )
+        ) and not any(node.op in KNOWN_AT_EVENTS for node in postorder([value]))
 
     def _find_pair(self, i: int, leaves: tuple[Expr, ...], touched: dict[str, None]) -> None:
         sign = self._sign_of_pair(self.left[i], self.right[i])
@@ -267,6 +280,14 @@ class AliasSearch:
                 before.add(name)
                 self._occurrences.setdefault(name, []).append(i)
         self._leaves[i] = tuple(found)
+        for name in self._past_names(i):
+            if name not in before:
+                self._occurrences.setdefault(name, []).append(i)
+
+    def _past_names(self, i: int) -> Iterable[str]:
+        """Variables of which the equation uses past values."""
+        past = [n for n in postorder((self.left[i], self.right[i])) if n.op in ("pre", "delay")]
+        return [name for name in symbols(past) if name in self._unknown] if past else ()
 
     def _name_derivatives(self) -> list[int]:
         """Let v be the derivative of x where an equation v = der(x) says so; the equations that changed."""

@@ -160,7 +160,7 @@ class _Degrees:
 
     def _visit(self, node: Expr, args: list[int]) -> int:
         op = node.op
-        if not any(args):
+        if not any(args) or op == "delay" or (op == "integer" and self._frozen):
             return 0
         if self._frozen and op in ("noEvent", "smooth"):
             return self.inner.of(node)

@@ -8,7 +8,7 @@ of its unknowns, and at the end every unknown and every `der(state)` is known.
 A *mode* is the Boolean value of one zero crossing's relation. It is an input to the equations: constant
 between events, updated at events, so that the equations stay smooth while the solver steps. So are the
 *frozen* values of the discrete part: discrete variables, their values before the event (`pre(v)`), and the
-whole numbers that `floor` and its like hold between events.
+whole numbers that `integer` holds between events.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from acausal.errors import Span
-from acausal.lang.flat import Assertion, Equation, FlatModel
+from acausal.lang.flat import Assertion, Equation, FlatModel, Termination
 from acausal.symbolic.expressions.expr import Expr
 
 if TYPE_CHECKING:
@@ -126,11 +126,19 @@ class Check:
     assertion: Assertion
 
 
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """`terminate`: where `condition` holds at an event, the run ends."""
+
+    condition: Expr
+    termination: Termination
+
+
 @dataclass(frozen=True)
 class DiscretePart:
     """What changes at events only, apart from modes.
 
-    `assignments` give, in order, every discrete variable and every `floor(...)` that generates events, from
+    `assignments` give, in order, every discrete variable and every `integer(...)` that generates events, from
     the modes, the continuous unknowns, the values before the event and each other; where some form a loop,
     they use what was found last. An event is settled by evaluating the continuous blocks, the modes and
     these, until nothing changes; then `memory` takes new values, and all is evaluated once more until that
@@ -146,6 +154,7 @@ class DiscretePart:
     """Those of `initial()` and `terminal()` that occur."""
     resets: tuple[Reset, ...] = ()
     checks: tuple[Check, ...] = ()
+    stops: tuple[Stop, ...] = ()
     initial: tuple[Assignment, ...] = ()
     """The same at the start, where `pre(v)` of every discrete variable in use is unknown too."""
 
@@ -153,6 +162,11 @@ class DiscretePart:
     def unknowns(self) -> tuple[Expr, ...]:
         """What `assignments` determine."""
         return tuple(assignment.unknown for assignment in self.assignments)
+
+    @property
+    def equations(self) -> tuple[CausalEquation, ...]:
+        """The equations of the discrete variables."""
+        return tuple(a.equation for a in self.assignments if a.unknown.op == "sym")
 
     @property
     def frozen(self) -> tuple[Expr, ...]:

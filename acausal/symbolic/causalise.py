@@ -22,16 +22,18 @@ from acausal.symbolic.causal import (
 )
 from acausal.symbolic.derivative_states import name_derivative_states
 from acausal.symbolic.describe import equation_with_place, leaf_texts, listed
-from acausal.symbolic.events import zero_crossings
+from acausal.symbolic.discrete import divide
+from acausal.symbolic.discrete_initial import DiscreteStart
 from acausal.symbolic.expressions.expr import der, sym
 from acausal.symbolic.expressions.text import to_text
-from acausal.symbolic.hybrid_errors import refuse_hybrid
+from acausal.symbolic.hybrid import Hybrid, hybrid_part
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
 from acausal.symbolic.outputs import keep_for_outputs
 from acausal.symbolic.parameters import parameter_values
 from acausal.symbolic.solving import Profiler
 from acausal.symbolic.state_selection import Point, SelectedStates, select_states, starting_point
+from acausal.symbolic.when_clauses import lower
 
 
 def causalise(
@@ -41,17 +43,20 @@ def causalise(
 
     With `outputs`, only of the part of the model that these need (`outputs.keep_for_outputs`). The values of
     the parameters `unevaluated` are not used. Time grows near-linearly with the model. Raises
-    BalanceProblem, ReductionProblem, InitializationProblem, LookupProblem (`parameter.cyclic`), TypeProblem
-    (`parameter.no-value`, `type.real-equality`) and UnsupportedProblem for discrete events.
+    BalanceProblem, ReductionProblem, InitializationProblem, LookupProblem (`parameter.cyclic`) and
+    TypeProblem (`parameter.no-value`, `type.real-equality`).
     """
     if outputs is not None:
         part, removed = keep_for_outputs(flat, outputs)
         return replace(causalise(part, unevaluated=unevaluated), removed=removed)
     check_balance(flat)
-    refuse_hybrid(flat)
-    model = eliminate_aliases(flat, parameter_values(flat, unevaluated))
-    reduced = reduce_index(model)
-    system = _assembled(reduced, select_states(reduced, starting_point(reduced)), with_initial=True)
+    lowered = lower(flat)
+    model = eliminate_aliases(lowered.flat, parameter_values(lowered.flat, unevaluated))
+    divided = divide(model, Profiler(model.values, model.flat.by_name))
+    reduced = reduce_index(divided.continuous)
+    hybrid = hybrid_part(reduced, divided, lowered)
+    selected = select_states(reduced, starting_point(reduced))
+    system = _assembled(reduced, selected, hybrid, with_initial=True)
     return replace(system, homotopy=flat) if model.has_homotopy else system
 
 
@@ -75,10 +80,13 @@ def with_states(system: CausalSystem, chosen: SelectedStates) -> CausalSystem:
     It has the same zero crossings but for the monitors, and determines the same unknowns.
     """
     assert system.dynamic is not None
-    return _assembled(system.dynamic.reduced, chosen, with_initial=False)
+    hybrid = Hybrid(system.events, system.discrete, system.delays, DiscreteStart((), ()))
+    return _assembled(system.dynamic.reduced, chosen, hybrid, with_initial=False)
 
 
-def _assembled(origin: Reduced, selection: SelectedStates, *, with_initial: bool) -> CausalSystem:
+def _assembled(
+    origin: Reduced, selection: SelectedStates, hybrid: Hybrid, *, with_initial: bool
+) -> CausalSystem:
     """The causal system of one selection. Where others may follow, all determine the same derivatives."""
     reduced, selected = name_derivative_states(origin, selection)
     model = reduced.model
@@ -88,24 +96,27 @@ def _assembled(origin: Reduced, selection: SelectedStates, *, with_initial: bool
     chosen = set(states)
     several = bool(selected.monitors) or not with_initial
     named = [entry for entry in model.named if several or entry.of in chosen]
-    crossings = zero_crossings(reduced.equations, model.assertions, reduced.chains)
+    initial = InitialProblem((), ())
+    if with_initial:
+        initial = initial_problem(reduced, states, blocks, profiler)
+        initial = replace(initial, values=(*initial.values, *hybrid.start.values))
     return CausalSystem(
         flat=model.flat,
         parameters=model.values.order,
         aliases=model.aliases,
-        equations=(*reduced.equations, *(entry.equation for entry in named)),
+        equations=(*reduced.equations, *(entry.equation for entry in named), *hybrid.discrete.equations),
         states=states,
         dummy_derivatives=selected.dummies,
         index=differential_index(model, reduced, blocks, selected),
         blocks=(*blocks, *_derivative_assignments(named)),
-        zero_crossings=(*crossings, *(_watched(monitor) for monitor in selected.monitors)),
+        zero_crossings=(*hybrid.crossings, *(_watched(monitor) for monitor in selected.monitors)),
         assertions=model.assertions,
-        initial=initial_problem(reduced, states, blocks, profiler)
-        if with_initial
-        else InitialProblem((), ()),
+        initial=initial,
         choices=selected.choices,
         dynamic=DynamicStates(selected.monitors, origin) if selected.monitors else None,
         evaluated=tuple(model.values.evaluated),
+        discrete=hybrid.discrete,
+        delays=hybrid.delays,
     )
 
 

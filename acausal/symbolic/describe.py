@@ -58,8 +58,10 @@ def leaf_texts(leaves: Iterable[Expr]) -> tuple[str, ...]:
 
 
 def base_name(leaf: Expr) -> str:
-    """The variable of a leaf: `x` of `x`, `der(x)`, `der(der(x))` and `pre(x)`."""
+    """The variable of a leaf: `x` of `x`, `der(x)`, `der(der(x))` and `pre(x)`; "" of another `pre`."""
     while leaf.op != "sym":
+        if not leaf.args:
+            return ""
         leaf = leaf.args[0]
     return leaf.name
 

@@ -9,7 +9,7 @@ from acausal.lang.flat import Causality, FlatModel, Variability, Variable
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.evaluate import Lookup
-from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, parts, rebuild, sym
+from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, neg, parts, pre, rebuild, sym
 from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS, RELATIONS
 
 
@@ -21,6 +21,18 @@ def is_input(variable: Variable) -> bool:
 def determined(flat: FlatModel) -> tuple[Variable, ...]:
     """The variables the equations must determine, in declaration order."""
     return tuple(v for v in flat.variables if v.is_unknown and not is_input(v))
+
+
+def is_discrete(variable: Variable) -> bool:
+    """Whether the variable changes at events only."""
+    return variable.is_unknown and (
+        variable.variability is Variability.DISCRETE or variable.type.name != "Real"
+    )
+
+
+def is_moving(variable: Variable | None) -> bool:
+    """Whether the variable changes between events."""
+    return variable is not None and variable.is_unknown and not is_discrete(variable)
 
 
 def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
@@ -59,12 +71,12 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
         seen.add(node)
         if node.op in ("sym", "der", "pre"):
             found[node] = None
-        else:
+        elif node.op != "delay":  # known from the past
             stack.extend(reversed(parts(node)))
     return tuple(found)
 
 
-_CLOSED = RELATIONS | KNOWN_AT_EVENTS
+_CLOSED = RELATIONS | KNOWN_AT_EVENTS | {"integer"}
 
 
 @dataclass(frozen=True)
@@ -79,7 +91,7 @@ class Chains:
         """The derivative of a leaf; ZERO for what is constant between events, None for an input."""
         if leaf.op == "sym":
             variable = self.variables.get(leaf.name)
-            if variable is None or variable.variability is not Variability.CONTINUOUS:
+            if variable is None or not is_moving(variable):
                 return ZERO
             if is_input(variable):
                 return None
@@ -88,11 +100,9 @@ class Chains:
         return der(leaf)
 
     def is_unknown(self, leaf: Expr) -> bool:
-        """Whether the running system must determine the leaf."""
-        if leaf.op == "pre":
-            return False
-        variable = self.variables.get(base_name(leaf))
-        return variable is not None and variable.is_unknown and not is_input(variable)
+        """Whether the continuous part of the running system must determine the leaf."""
+        variable = None if leaf.op == "pre" else self.variables.get(base_name(leaf))
+        return is_moving(variable) and variable is not None and not is_input(variable)
 
 
 class Rewriter:
@@ -117,8 +127,18 @@ class Rewriter:
         if node.op == "homotopy":
             self.met_homotopy = True
             return args[0]
+        if node.op == "pre":
+            return self._before(args[0])
         new = tuple(args)
         return node if new == node.args else rebuild(node, new)
+
+    def _before(self, arg: Expr) -> Expr:
+        """`pre(arg)`: what does not vary is its own past."""
+        if arg.op == "neg":
+            return neg(self._before(arg.args[0]))
+        variable = self._chains.variables.get(arg.name) if arg.op == "sym" else None
+        steady = arg.op == "const" or (variable is not None and not variable.is_unknown)
+        return arg if steady else pre(arg)
 
     def _differentiated(self, arg: Expr) -> Expr:
         if arg.op not in ("sym", "der"):

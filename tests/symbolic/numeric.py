@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from acausal.symbolic.causal import Block, BlockKind, CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
-from acausal.symbolic.expressions.expr import TIME, Constant, Expr, postorder, sym
+from acausal.symbolic.expressions.expr import TIME, Constant, Expr, postorder, sym, unknown_leaves
 from acausal.symbolic.expressions.text import to_text
 
 Values = dict[str, float]
@@ -88,7 +88,12 @@ def run(
     assert set(states) == set(system.states)
     known: dict[Expr, Constant] = {TIME: time, **{sym(name): value for name, value in states.items()}}
     _parameters(system, known)
+    for assignment in system.discrete.assignments:
+        if set(unknown_leaves(assignment.value)) <= set(known):  # the others depend on the blocks
+            known[assignment.unknown] = _value(assignment.value, known)
     _run(system.blocks, known, {sym(name): value for name, value in (guesses or {}).items()})
+    for assignment in system.discrete.assignments:
+        known[assignment.unknown] = _value(assignment.value, known)
     return _named(system, known)
 
 

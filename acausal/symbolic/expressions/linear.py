@@ -2,7 +2,8 @@
 
 Switching: with `frozen=True` the condition of an `if` counts as known even where it holds the unknown, which
 is right outside `noEvent` and `smooth`, because there its relations are modes that stay constant between
-events. Inside them, and with `frozen=False`, a condition holding the unknown makes the `if` nonlinear.
+events. So does `integer` of anything. Inside them, and with `frozen=False`, a condition holding the unknown
+makes the `if` nonlinear.
 """
 
 from __future__ import annotations
@@ -50,6 +51,8 @@ def _parts(node: Expr, args: list[Parts | None], leaf: Expr, *, frozen: bool) ->
         return (ONE, ZERO) if node is leaf else (ZERO, node)
     if node.op == "derived":
         args = args[:1]
+    if node.op == "delay" or (node.op == "integer" and frozen):
+        return (ZERO, node)
     if node.op == "if" and frozen:
         args = [(ZERO, node.args[0]), *args[1:]]
     known: list[Parts] = []
@@ -151,7 +154,7 @@ def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
         return {node: ONE}
     if op == "derived":
         return args[0]
-    if not any(args):
+    if op == "delay" or (op == "integer" and frozen) or not any(args):
         return _NOTHING
     if op == "add":
         return _sum_slopes(args)

@@ -1,0 +1,213 @@
+"""Which equations are discrete, what they determine, and in which order they are evaluated at an event.
+
+An equation is discrete if it is not between Reals, comes from a when-clause, or determines a discrete Real
+from values that change at events only. It gives one discrete variable as `v = expression`. All others are
+continuous: discrete variables are known in them, because they are constant between events.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from acausal.errors import BalanceProblem, Diagnostic
+from acausal.lang.flat import Variable
+from acausal.symbolic.alias import Simplified
+from acausal.symbolic.causal import Assignment, CausalEquation, DiscretePart
+from acausal.symbolic.describe import listed
+from acausal.symbolic.events import Holder
+from acausal.symbolic.expressions.expr import Expr, postorder, sym
+from acausal.symbolic.graphs.blt import strong_components
+from acausal.symbolic.graphs.matching import Matcher
+from acausal.symbolic.graphs.types import Eq, Var
+from acausal.symbolic.leaves import is_discrete, is_moving, value_leaves
+from acausal.symbolic.solving import Profiler, Solvability, solve
+from acausal.symbolic.when_clauses import is_momentary
+
+
+@dataclass(frozen=True)
+class Divided:
+    """`continuous`: the model without its discrete equations and unknowns; `definitions`: those, solved."""
+
+    continuous: Simplified
+    definitions: tuple[Assignment, ...]
+    """One for every discrete variable, in the order of their equations."""
+    initial: tuple[CausalEquation, ...]
+    """The initial equations that determine discrete variables or their values before the start."""
+
+    @property
+    def variables(self) -> tuple[Expr, ...]:
+        return tuple([definition.unknown for definition in self.definitions])
+
+
+def divide(model: Simplified, profiler: Profiler) -> Divided:
+    """Separate discrete equations from continuous ones. Near-linear.
+
+    Raises BalanceProblem `discrete.undetermined`.
+    """
+    names = {v.name: v for v in model.unknowns if is_discrete(v)}
+    if not names:
+        return Divided(model, (), ())
+    chosen = _matched(model, names, profiler)
+    definitions = [_definition(model.equations[i], sym(name)) for i, name in sorted(chosen.items())]
+    initial = [e for e in model.initial_equations if discrete_sides(e, names)]
+    kept = [e for e in model.initial_equations if not discrete_sides(e, names)]
+    continuous = replace(
+        model,
+        unknowns=tuple([v for v in model.unknowns if v.name not in names]),
+        equations=tuple([e for i, e in enumerate(model.equations) if i not in chosen]),
+        initial_equations=tuple(kept),
+    )
+    return Divided(continuous, tuple(definitions), tuple(initial))
+
+
+def discrete_sides(equation: CausalEquation, names: Mapping[str, object]) -> list[tuple[Expr, Expr]]:
+    """(leaf, value) for each side of an initial equation that it may determine as a discrete variable's.
+
+    `x = v` with a continuous x is about x.
+    """
+    left, right = equation.left, equation.right
+    found = [(left, right)] if _is_discrete(left, names) else []
+    about_left = left.op in ("sym", "der") and not found
+    return found if about_left or not _is_discrete(right, names) else [*found, (right, left)]
+
+
+def _is_discrete(leaf: Expr, names: Mapping[str, object]) -> bool:
+    if leaf.op == "pre":
+        leaf = leaf.args[0]
+    return leaf.op == "sym" and leaf.name in names
+
+
+def _matched(model: Simplified, names: Mapping[str, Variable], profiler: Profiler) -> dict[int, str]:
+    """Which equation (by position) determines which discrete variable."""
+    index = {name: Var(i) for i, name in enumerate(names)}
+    order = list(names)
+    positions: list[int] = []
+    matcher = Matcher([], len(names))
+    weak: list[Eq] = []
+    for i, equation in enumerate(model.equations):
+        found = _candidates(equation, names, profiler)
+        if not found:
+            continue
+        positions.append(i)
+        eq = matcher.add_equation([index[name] for name in found])
+        if _is_strong(equation, model, profiler):
+            matcher.augment([eq])
+        else:
+            weak.append(eq)
+    matcher.augment(weak)
+    free = [order[i] for i, eq in enumerate(matcher.eq_of_var) if eq is None]
+    if free:
+        raise _undetermined(model, free)
+    return {positions[eq]: order[i] for i, eq in enumerate(matcher.eq_of_var) if eq is not None}
+
+
+def _candidates(equation: CausalEquation, names: Mapping[str, Variable], profiler: Profiler) -> list[str]:
+    """The discrete variables for which an equation can be solved."""
+    if not any(
+        leaf.op == "sym" and leaf.name in names for leaf in value_leaves((equation.left, equation.right))
+    ):
+        return []
+    solvable = profiler.profile(equation).solvable
+    return [
+        leaf.name
+        for leaf, how in solvable.items()
+        if leaf.op == "sym" and leaf.name in names and how <= Solvability.VARYING
+    ]
+
+
+def _is_strong(equation: CausalEquation, model: Simplified, profiler: Profiler) -> bool:
+    """Whether the equation cannot determine anything continuous."""
+    if not (profiler.is_numeric(equation.left) and profiler.is_numeric(equation.right)):
+        return True
+    leaves = steady_leaves((equation.left, equation.right))
+    by_name = model.flat.by_name
+    return not any(
+        leaf.op == "der" or (leaf.op == "sym" and is_moving(by_name.get(leaf.name))) for leaf in leaves
+    )
+
+
+def steady_leaves(roots: Iterable[Expr]) -> list[Expr]:
+    """The leaves that an equation could be solved for, without what is used at events only."""
+    found: list[Expr] = []
+    stack = [*roots]
+    while stack:
+        node = stack.pop()
+        if node.op == "if" and is_momentary(node.args[0]):
+            stack.append(node.args[2])
+        elif node.op in ("if", "add", "neg", "mul", "div", "noEvent", "smooth"):
+            stack.extend(node.args[1:] if node.op == "if" else node.args)
+        else:
+            found.extend(value_leaves([node]))
+    return found
+
+
+def _definition(equation: CausalEquation, unknown: Expr) -> Assignment:
+    solved = solve(equation, unknown)
+    assert solved is not None, f"{unknown!r} was called solvable"
+    return solved
+
+
+def _undetermined(model: Simplified, free: Sequence[str]) -> BalanceProblem:
+    by_name = model.flat.by_name
+    return BalanceProblem(
+        [
+            Diagnostic(
+                "discrete.undetermined",
+                f"no equation gives the discrete variable `{name}` a value at events"
+                + (f", nor {listed(list(free[1:]))}" if name == free[0] and free[1:] else ""),
+                by_name[name].span,
+                (name,),
+                f"assign it in a when-clause, or write `{name} = ...` with what changes at events only",
+            )
+            for name in free
+        ]
+    )
+
+
+def discrete_part(
+    definitions: Sequence[Assignment], holders: Sequence[Holder], everything: Iterable[Expr]
+) -> DiscretePart:
+    """The discrete part without actions and initial values; `everything` is all that is ever evaluated.
+
+    Definitions are sorted so that each uses earlier ones; those in a loop keep their order.
+    """
+    held = [Assignment(h.node, h.node, h.equation) for h in holders]
+    nodes = list(postorder(everything))
+    memory = [node for node in nodes if node.op == "pre"]
+    phases = [node for node in nodes if node.op in ("initial", "terminal")]
+    return DiscretePart(
+        assignments=in_order([*definitions, *held]),
+        memory=tuple(memory),
+        samples=tuple([node for node in nodes if node.op == "sample"]),
+        phases=tuple(phases),
+    )
+
+
+def in_order(assignments: Sequence[Assignment]) -> tuple[Assignment, ...]:
+    """Sorted so that each assignment uses earlier ones, except in loops. Near-linear."""
+    unknowns = {a.unknown: Var(i) for i, a in enumerate(assignments)}
+    incidence = [sorted({Var(i), *_uses(a, unknowns)}) for i, a in enumerate(assignments)]
+    matcher = Matcher(incidence, len(unknowns))
+    for i in range(len(assignments)):
+        matcher.pair(Eq(i), Var(i))
+    components = strong_components(incidence, matcher.freeze())
+    return tuple([assignments[eq] for component in components for eq in component.equations])
+
+
+def _uses(assignment: Assignment, unknowns: Mapping[Expr, Var]) -> list[Var]:
+    """The other unknowns that the value reads."""
+    value = assignment.value
+    stack = [*value.args] if value is assignment.unknown else [value]
+    seen: set[Expr] = set()
+    found: list[Var] = []
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if node in unknowns:
+            found.append(unknowns[node])
+        elif node.op != "pre":
+            stack.extend(node.args)
+    return found
