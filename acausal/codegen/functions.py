@@ -25,6 +25,7 @@ from casadi import Function
 
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
 from acausal.codegen.constants import function_of_parameters, parameter_function
+from acausal.codegen.discrete import DiscreteCode, discrete_code
 from acausal.codegen.program import Program
 from acausal.codegen.scope import Scope
 from acausal.codegen.segments import reads
@@ -92,6 +93,7 @@ class Code:
     """`(t, x, p, m, u, d, z) -> size`: sum of the absolute values of both sides, to judge what a zero is."""
     conditions: Function
     """`(t, x, p, m, u, d, z) -> ok`: the assertions' conditions, 0 or 1."""
+    discrete: DiscreteCode
     instants: Function
     """`(p, d) -> t`: when the crossings that are not `located` happen; not finite or past where never."""
     located: tuple[int, ...]
@@ -177,6 +179,7 @@ def generate(system: CausalSystem) -> Code:
         events=stitching.function("events", Goal("root", roots)),
         sizes=stitching.function("sizes", Goal("size", sizes)),
         conditions=stitching.function("conditions", Goal("ok", _conditions(system), True)),
+        discrete=discrete_code(system, stitching, parameters),
         instants=_instants(system, parameters),
         located=tuple(i for i, crossing in enumerate(system.zero_crossings) if crossing.instant is None),
         checks=_checks(initial, nominals, opened),
@@ -184,10 +187,16 @@ def generate(system: CausalSystem) -> Code:
 
 
 def _sides(system: CausalSystem) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-    """Of every zero crossing, left minus right side, and the sum of their absolute values."""
+    """Of every zero crossing, left minus right side, and the sum of their absolute values (at least 1 where
+    whole numbers are compared)."""
     crossings = [crossing.relation.args for crossing in system.zero_crossings]
+    held = {leaf for leaf in system.discrete.unknowns if leaf.op == "integer"}
     roots = tuple(sub(left, right) for left, right in crossings)
-    return roots, tuple(add(function("abs", a), function("abs", b)) for a, b in crossings)
+    units = [ONE if right in held or not held.isdisjoint(right.args) else ZERO for _, right in crossings]
+    sizes = [
+        add(function("abs", a), function("abs", b), u) for (a, b), u in zip(crossings, units, strict=True)
+    ]
+    return roots, tuple(sizes)
 
 
 def _conditions(system: CausalSystem) -> tuple[Expr, ...]:

@@ -90,6 +90,9 @@ class Evaluator:
         self.event = Buffered(code.events, given, before)
         self.size = Buffered(code.sizes, given, before)
         self.condition = Buffered(code.conditions, given, before)
+        self.update = Buffered(code.discrete.update, given, before)
+        self.memory = Buffered(code.discrete.memory, given, before)
+        self.actions = Buffered(code.discrete.actions, given, before)
         self.roots = self.event.outputs[0]
         self.sizes = self.size.outputs[0]
         self.jacobian = self.jac.outputs[0]

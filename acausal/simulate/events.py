@@ -1,11 +1,8 @@
-"""Event iteration: which modes hold right after an instant.
+"""Which modes hold right after an instant, and when events accumulate.
 
 At an instant a root `g = left - right` may be zero to rounding. Its relation then takes the value that it
 has a moment later along the present derivatives, so that a solver started here moves away from the root
-with the mode that fits, instead of sticking to it. Modes change algebraic variables and derivatives and so
-other relations; they are updated together until nothing changes. Modes that come round again are an error
-that names their conditions: the solution would slide along the switching surface, or has no consistent mode
-at all.
+with the mode that fits, instead of sticking to it.
 """
 
 from __future__ import annotations
@@ -17,15 +14,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from acausal.errors import AcausalError, Diagnostic, SimulationProblem
+from acausal.errors import Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, crossing_text, some
+from acausal.simulate.messages import at, crossing_text, leaf_name, some
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.expr import symbols
 
-MAX_ITERATIONS = 50
-_PER_MODE = 4
 BAND = 1e-9
 """Relative to both sides' sizes: closer to zero than this, a root counts as zero."""
 _NOISE = 1e-14
@@ -52,65 +47,33 @@ def crossed_modes(ops: tuple[str, ...], modes: Vector, crossed: NDArray[np.int_]
     return np.where(crossed != 0, beyond, modes)
 
 
-def settle_modes(
-    evaluator: Evaluator, time: float, x: Vector, ahead: float, crossed: NDArray[np.int_] | None = None
-) -> None:
-    """Iterates the evaluator's modes to a fixed point at this instant, looking `ahead` by a small time.
+@dataclass(frozen=True)
+class Instant:
+    """A point in time: `crossed` marks the roots located there, `roots` are those found then."""
 
-    `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them.
-    Raises `SimulationProblem` (`simulate.mode-cycle`) where the modes do not settle.
+    time: float
+    x: Vector
+    ahead: float
+    """How far to look forward."""
+    crossed: NDArray[np.bool_]
+    roots: Vector
+
+
+def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
+    """The values that the relations have now, or a moment later where their root is zero.
+
+    Zero, whatever rounding says, are the located roots as long as they have their values. The evaluator is
+    settled at the instant. Raises `SimulationProblem` where a side is not a number.
     """
-    system = evaluator.code.system
-    ops = operators(system)
-    evaluator.at(time, x)
-    evaluator.settle()
-    if not ops:
-        return
-    at_root = crossed != 0 if crossed is not None else np.zeros(len(ops), dtype=np.bool_)
-    before = evaluator.m.copy()
-    circle = _iterate(evaluator, (time, x, ahead, at_root), one_by_one=False)
-    if circle:
-        evaluator.m[:] = before
-        evaluator.settle()
-        circle = _iterate(evaluator, (time, x, ahead, at_root), one_by_one=True)
-    if circle:
-        raise _cycle(system, circle, time)
-
-
-def _iterate(
-    evaluator: Evaluator, instant: tuple[float, Vector, float, NDArray[np.bool_]], one_by_one: bool
-) -> list[Vector]:
-    """Updates the modes until they agree with the values; the modes that came round again if they do not.
-
-    `one_by_one`: only the first condition that disagrees changes (Murty's least-index rule), which ends for
-    networks of diodes and clutches where updating all at once goes round in circles.
-    """
-    visited: list[Vector] = []
-    for _ in range(MAX_ITERATIONS + (_PER_MODE * len(evaluator.m) if one_by_one else 0)):
-        wanted = _wanted(evaluator, *instant)
-        different = np.flatnonzero(wanted != evaluator.m)
-        if not different.size:
-            return []
-        if one_by_one:
-            wanted = np.where(np.arange(len(wanted)) == different[0], wanted, evaluator.m)
-        visited.append(evaluator.m.copy())
-        again = [i for i, seen in enumerate(visited) if np.array_equal(seen, wanted)]
-        if again:
-            return visited[again[0] :]
-        evaluator.m[:] = wanted
-        evaluator.settle()
-    return visited
-
-
-def _wanted(evaluator: Evaluator, time: float, x: Vector, ahead: float, at_root: NDArray[np.bool_]) -> Vector:
-    """The values that the relations have now, or a moment later where their root is zero."""
+    time, x, ahead = instant.time, instant.x, instant.ahead
     ops = operators(evaluator.code.system)
     evaluator.event()
     evaluator.size()
     roots, sizes = evaluator.roots.copy(), evaluator.sizes.copy()
     _check(evaluator, roots, time)
     wanted = literal_modes(ops, roots)
-    near = at_root | (np.abs(roots) <= BAND * sizes)
+    located = instant.crossed & (np.abs(roots - instant.roots) <= BAND * sizes)
+    near = located | (np.abs(roots) <= BAND * sizes)
     if not near.any():
         return wanted
     evaluator.at(time + ahead, x + ahead * evaluator.xdot)
@@ -135,16 +98,6 @@ def _check(evaluator: Evaluator, roots: Vector, time: float) -> None:
     )
 
 
-def _cycle(system: CausalSystem, history: list[Vector], time: float) -> AcausalError:
-    changing = np.ptp(np.array(history), axis=0) > 0 if len(history) > 1 else history[0] >= 0
-    crossings = [c for c, changes in zip(system.zero_crossings, changing, strict=True) if changes]
-    texts = some([crossing_text(crossing) for crossing in crossings])
-    names = symbols([crossing.relation for crossing in crossings])
-    message = f"the conditions {texts} switch back and forth {at(time)} and do not settle"
-    hint = "the solution slides along the switching point: use a hysteresis or a continuous characteristic"
-    return SimulationProblem(Diagnostic("simulate.mode-cycle", message, crossings[0].span, names, hint))
-
-
 @dataclass
 class EventGuard:
     """Counts events, and tells an accumulation (Zeno behaviour) from many events."""
@@ -155,19 +108,27 @@ class EventGuard:
     _recent: deque[tuple[float, NDArray[np.bool_]]] = field(default_factory=lambda: deque(maxlen=ZENO_EVENTS))
 
     def add(self, time: float, changed: NDArray[np.bool_]) -> None:
-        """Notes one event instant; raises `SimulationProblem` (`simulate.zeno`) where they accumulate."""
+        """Notes one event instant and which modes and discrete values changed at it.
+
+        Raises `SimulationProblem` (`simulate.zeno`) where they accumulate.
+        """
         self.count += 1
         self._recent.append((time, changed))
         if len(self._recent) < ZENO_EVENTS or time - self._recent[0][0] > ZENO_SHARE * self.span:
             return
         involved = np.any(np.array([c for _, c in self._recent]), axis=0)
-        crossings = [c for c, on in zip(self.system.events, involved, strict=True) if on]
-        texts = some([crossing_text(crossing) for crossing in crossings])
+        own = self.system.events
+        crossings = [c for c, on in zip(own, involved, strict=False) if on]
+        variables = [
+            a for a, on in zip(self.system.discrete.assignments, involved[len(own) :], strict=True) if on
+        ]
+        what = "the conditions " + some([crossing_text(crossing) for crossing in crossings])
+        if not crossings:
+            what = "changes of " + some([leaf_name(a.unknown) for a in variables])
         first = self._recent[0][0]
-        message = (
-            f"events accumulate {at(time)}: {ZENO_EVENTS} within {time - first:.3g} s, "
-            f"all by the conditions {texts}"
-        )
+        message = f"events accumulate {at(time)}: {ZENO_EVENTS} within {time - first:.3g} s, all by {what}"
         hint = "the time between events shrinks to zero (Zeno): add a hysteresis, a dwell time or damping"
-        names = symbols([crossing.relation for crossing in crossings])
-        raise SimulationProblem(Diagnostic("simulate.zeno", message, crossings[0].span, names, hint))
+        names = symbols([*(c.relation for c in crossings), *(a.unknown for a in variables)])
+        spans = [*(c.span for c in crossings), *(a.equation.flat.span for a in variables)]
+        span = spans[0] if spans else self.system.flat.span
+        raise SimulationProblem(Diagnostic("simulate.zeno", message, span, names, hint))

@@ -13,9 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from acausal.codegen.functions import Code, generate
 from acausal.errors import AcausalError, Diagnostic, InitializationProblem
-from acausal.simulate.matrices import Vector
+from acausal.simulate.initial_modes import Switched
 from acausal.simulate.walk import Walked
 from acausal.symbolic.causalise import causalise
 from acausal.symbolic.describe import equation_with_place, listed
@@ -32,7 +34,7 @@ class PathPoint:
     """A solution of the blended initial problem."""
 
     walked: Walked
-    modes: Vector
+    switched: Switched
 
 
 Solve = Callable[[float, PathPoint | None], PathPoint]
@@ -41,10 +43,10 @@ Solve = Callable[[float, PathPoint | None], PathPoint]
 
 @dataclass(frozen=True)
 class Followed:
-    """The end of the path: values by name, the truth of the relations, and the number of steps."""
+    """The end of the path: values by name, of relations and of frozen values, and the number of steps."""
 
     values: Mapping[str, float]
-    modes: Mapping[object, float]
+    switched: Mapping[object, float]
     steps: int
 
 
@@ -77,7 +79,7 @@ def follow(code: Code, blend: Code, solve: Solve, error: InitializationProblem) 
             continue
         reached, step = target, min(2 * step, _LONGEST)
         if reached >= 1.0:
-            return Followed(_named(blend, point), _modes(blend, point), count)
+            return Followed(_named(blend, point), _switched(blend, point), count)
     reason = (
         f"the continuation from the simplified equations was at {reached:.3g} of 1 after {MAX_STEPS} steps"
     )
@@ -117,8 +119,9 @@ def _with(error: InitializationProblem, code: Code, reason: str) -> Initializati
     return InitializationProblem([*error.diagnostics, more])
 
 
-def _modes(blend: Code, point: PathPoint) -> dict[object, float]:
-    return dict(zip(blend.relations, point.modes.tolist(), strict=True))
+def _switched(blend: Code, point: PathPoint) -> dict[object, float]:
+    frozen = zip(blend.system.discrete.frozen, point.switched.d.tolist(), strict=True)
+    return {**dict(zip(blend.relations, point.switched.m.tolist(), strict=True)), **dict(frozen)}
 
 
 def _named(blend: Code, point: PathPoint) -> dict[str, float]:
@@ -135,12 +138,12 @@ def _named(blend: Code, point: PathPoint) -> dict[str, float]:
     return found
 
 
-def modes_like(code: Code, suggested: Vector, modes: Mapping[object, float]) -> Vector:
-    """The modes of the path's end for the relations that both systems have."""
-    result = suggested.copy()
-    for i, relation in enumerate(code.relations):
-        result[i] = modes.get(relation, result[i])
-    return result
+def switched_like(code: Code, suggested: Switched, found: Mapping[object, float]) -> Switched:
+    """What the path's end says of the relations and frozen values that both systems have."""
+    frozen = code.system.discrete.frozen
+    m = [found.get(relation, value) for relation, value in zip(code.relations, suggested.m, strict=True)]
+    d = [found.get(leaf, value) for leaf, value in zip(frozen, suggested.d, strict=True)]
+    return Switched(np.array(m), np.array(d))
 
 
 def lambda_leaf_position(blend: Code) -> int:

@@ -14,13 +14,14 @@ from acausal.simulate.block_solvers import Walk
 from acausal.simulate.call import call
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import literal_modes, operators
-from acausal.simulate.initial_modes import consistent_modes
+from acausal.simulate.initial_modes import Switched, consistent_modes
 from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name, number, place, shown, some
 from acausal.simulate.overrides import Override, parameter_overrides, parameter_values, start_values
 from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.causal import Block
+from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.expr import Expr, sym, symbols
 
 CHECK_TOLERANCE = 1e-6
@@ -69,13 +70,13 @@ def initialize(
     bound = bind_inputs(code, p, inputs or {}, time, time if until is None else until)
     problem = _Problem(code, time, p, bound, start_values(code, p, start or {}))
     changes = _Changes(parameters or {}, start or {})
-    walked, modes, notes = _solved(problem, lambda error: _by_homotopy(problem, changes, error))
+    walked, switched, notes = _solved(problem, lambda error: _by_homotopy(problem, changes, error))
     known = dict(zip(code.initial.slots, walked.values.tolist(), strict=True))
     for i, name in enumerate(code.system.parameters):
         if sym(name) in code.initial.unknowns:
             given[i], override[i] = known[sym(name)], 1.0
     evaluator = Evaluator(code, parameter_values(code, given, override), bound)
-    evaluator.m[:] = modes
+    evaluator.m[:], evaluator.d[:] = switched.m, switched.d
     evaluator.guess[:] = [known.get(leaf, 0.0) for leaf in code.dynamic.guesses]
     _check(code, walked.values)
     x = np.array([known[leaf] for leaf in state_leaves(code.system)])
@@ -92,13 +93,13 @@ class _Changes:
     start: Mapping[str, float]
 
 
-_Solution = tuple[Walked, Vector, tuple[Diagnostic, ...]]
+_Solution = tuple[Walked, Switched, tuple[Diagnostic, ...]]
 
 
 def _solved(problem: _Problem, otherwise: Callable[[InitializationProblem], _Solution]) -> _Solution:
-    """Values, modes and what to report, from the start values; else as `otherwise` finds them."""
+    """Values, modes, frozen values and what to report, from the start values; else as `otherwise` finds them."""
     try:
-        return *consistent_modes(problem.code, problem.suggested(), problem.solve, problem.wanted), ()
+        return *consistent_modes(problem.code, problem.suggested(), problem), ()
     except InitializationProblem as error:
         if problem.code.system.homotopy is None:
             raise
@@ -119,16 +120,16 @@ def _by_homotopy(problem: _Problem, changes: _Changes, error: InitializationProb
         given[position] = weight
         p = parameter_values(blend, given, override)
         step = _Problem(blend, problem.time, p, problem.inputs, start_values(blend, p, starts))
-        modes = step.suggested()
+        switched = step.suggested()
         if before is not None:
             step.guess_from(before.walked, local=True)
-            modes = before.modes
-        return homotopy.PathPoint(*consistent_modes(blend, modes, step.solve, step.wanted))
+            switched = before.switched
+        return homotopy.PathPoint(*consistent_modes(blend, switched, step))
 
     followed = homotopy.follow(code, blend, solve, error)
     problem.guess(followed.values)
-    modes = homotopy.modes_like(code, problem.suggested(), followed.modes)
-    found = consistent_modes(code, modes, problem.solve, problem.wanted)
+    switched = homotopy.switched_like(code, problem.suggested(), followed.switched)
+    found = consistent_modes(code, switched, problem)
     return *found, (homotopy.used(code, error, followed.steps),)
 
 
@@ -141,7 +142,6 @@ class _Problem:
         self.inputs = inputs
         self._p = p
         self._u = np.concatenate([inputs.constants, np.zeros(len(code.system.delays))])
-        self._d = np.zeros(len(code.system.discrete.frozen))
         inputs.fill(time, self._u)
         inputs.explain(time, self._u)
         self.starts = starts
@@ -161,27 +161,44 @@ class _Problem:
             local=local,
         )
 
-    def suggested(self) -> Vector:
-        """The modes with every variable at its start value."""
+    def suggested(self) -> Switched:
+        """Modes and frozen values with every variable at its start value."""
         time = np.array([self.time])
         roots = call(self.code.start_roots, time, self._p, self._u, self.starts)[0].ravel()
-        return literal_modes(operators(self.code.system), np.nan_to_num(roots, nan=0.0))
+        modes = literal_modes(operators(self.code.system), np.nan_to_num(roots, nan=0.0))
+        known = {value.name: i for i, value in enumerate(self.code.system.initial.values)}
+        frozen = self.code.system.discrete.frozen
+        d = [self.starts[known[n]] if (n := base_name(leaf)) in known else 0.0 for leaf in frozen]
+        starting = [float(leaf.op == "initial") for leaf in frozen]
+        return Switched(modes, np.where([leaf.op in ("sym", "pre") for leaf in frozen], d, starting))
 
-    def solve(self, modes: Vector) -> Walked:
-        """All values in these modes."""
-        inputs = [np.array([self.time]), self._p, modes, self._u, self._d, self.starts]
+    def solve(self, switched: Switched) -> Walked:
+        """All values with these modes and frozen values."""
+        inputs = [np.array([self.time]), self._p, switched.m, self._u, switched.d, self.starts]
         return walk(self.code.initial, np.concatenate(inputs), self._how)
 
-    def wanted(self, modes: Vector, values: Vector) -> Vector:
+    def modes(self, switched: Switched, values: Vector) -> Vector:
         """The relations' values at the solution."""
+        code, point = self.code, self._point(switched, values)
+        roots, sizes = (call(f, *point)[0].ravel() for f in (code.events, code.sizes))
+        rounded = (np.abs(roots) <= _ROUNDING * sizes) & (roots != 0)
+        return np.where(rounded, switched.m, literal_modes(operators(code.system), roots))
+
+    def frozen(self, switched: Switched, values: Vector) -> Vector:
+        """The discrete values at the solution; those of samples and phases stay."""
+        if not switched.d.size:
+            return switched.d
+        point = self._point(switched, values)
+        found = call(self.code.discrete.start, *point, self.starts)[0].ravel()
+        return np.concatenate([found, switched.d[len(found) :]])
+
+    def _point(self, switched: Switched, values: Vector) -> list[Vector]:
+        """The inputs of the dynamic Functions at the solution."""
         code, slots = self.code, self.code.initial.slots
         x = values[[slots[leaf] for leaf in state_leaves(code.system)]]
         z = np.array([values[slots[leaf]] if leaf in slots else 0.0 for leaf in code.dynamic.guesses])
         p = values[[slots[sym(name)] for name in code.system.parameters]]
-        point = [np.array([self.time]), x, p, modes, self._u, self._d, z]
-        roots, sizes = (call(f, *point)[0].ravel() for f in (code.events, code.sizes))
-        rounded = (np.abs(roots) <= _ROUNDING * sizes) & (roots != 0)
-        return np.where(rounded, modes, literal_modes(operators(code.system), roots))
+        return [np.array([self.time]), x, p, switched.m, self._u, switched.d, z]
 
 
 def _nominals(code: Code, p: Vector) -> dict[Expr, float]:

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
-from acausal.errors import Diagnostic, SimulationProblem
+from acausal.errors import Diagnostic, SimulationProblem, Span
+from acausal.lang.flat import Assertion
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
 from acausal.symbolic.expressions.text import to_text
+
+
+@dataclass(frozen=True)
+class Ending:
+    """A run that `terminate` ended before its stop time."""
+
+    time: float
+    message: str
+    span: Span
 
 
 class Recorder:
@@ -21,7 +33,7 @@ class Recorder:
         self._evaluator = evaluator
         self._times: list[float] = []
         self._rows: list[Vector] = []
-        self._violated: dict[int, Diagnostic] = {}
+        self._violated: dict[Assertion, Diagnostic] = {}
         self.leaves = evaluator.code.output_leaves
         """What the columns of `data` are."""
         self._order: NDArray[np.int_] | None = None
@@ -62,16 +74,19 @@ class Recorder:
         evaluator = self._evaluator
         evaluator.condition()
         for i in np.flatnonzero(evaluator.condition.outputs[0] != 1.0):
-            assertion = evaluator.code.system.assertions[int(i)]
-            text = message_text(assertion.message)
-            names = symbols([assertion.condition])
-            if assertion.level.endswith("warning"):
-                message = f"{text} (first {at(time)}; `{to_text(assertion.condition)}` is false)"
-                warning = Diagnostic("simulate.assertion", message, assertion.span, names, severity="warning")
-                self._violated.setdefault(int(i), warning)
-                continue
-            message = f"{text} ({at(time)}; `{to_text(assertion.condition)}` is false)"
-            raise SimulationProblem(Diagnostic("simulate.assertion", message, assertion.span, names))
+            self.violated(evaluator.code.system.assertions[int(i)], time)
+
+    def violated(self, assertion: Assertion, time: float) -> None:
+        """Notes a warning; raises `SimulationProblem` (`simulate.assertion`) for an error."""
+        text = message_text(assertion.message)
+        names = symbols([assertion.condition])
+        if assertion.level.endswith("warning"):
+            message = f"{text} (first {at(time)}; `{to_text(assertion.condition)}` is false)"
+            warning = Diagnostic("simulate.assertion", message, assertion.span, names, severity="warning")
+            self._violated.setdefault(assertion, warning)
+            return
+        message = f"{text} ({at(time)}; `{to_text(assertion.condition)}` is false)"
+        raise SimulationProblem(Diagnostic("simulate.assertion", message, assertion.span, names))
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:

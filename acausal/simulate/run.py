@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TypeVar
@@ -10,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.events import EventGuard, crossed_modes, operators, settle_modes
+from acausal.simulate.events import EventGuard, crossed_modes, operators
 from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
-from acausal.simulate.record import Recorder
+from acausal.simulate.record import Ending, Recorder, message_text
 from acausal.simulate.reselect import Reselection
+from acausal.simulate.schedule import Schedule, is_reached
+from acausal.simulate.settle import Settling
 from acausal.simulate.solver import Solver, Sweeper, Work
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
@@ -37,13 +40,15 @@ def grid(options: Options) -> Iterator[float]:
 class Course:
     """How a run went: event instants, new choices of states, and what the integrator did.
 
-    `compiling` are the CPU seconds that compiling systems with other states took.
+    `compiling` are the CPU seconds that compiling systems with other states took; `ended` what a `terminate`
+    said, None where the run reached its end.
     """
 
     events: int
     state_selections: int
     compiling: float
     work: Work
+    ended: Ending | None = None
 
 
 def run(
@@ -55,15 +60,16 @@ def run(
 ) -> Course:
     """Integrates and records.
 
-    `solver` makes an integrator; it is None for a model without states and events, which is only evaluated.
-    Raises `SimulationProblem`, and ReductionProblem where no states can be chosen any more.
+    `solver` makes an integrator; it is None for a model without states and located events, which is only
+    evaluated. Raises `SimulationProblem`, and ReductionProblem where no states can be chosen any more.
     """
     loop = _Loop(evaluator, solver, options, recorder)
     loop.begin(options.start_time, x)
     targets = np.array(list(grid(options)))
     done = 0
-    while done < len(targets):
+    while done < len(targets) and loop.ended is None:
         done += loop.reach(targets[done:])
+    loop.finish()
     return loop.course()
 
 
@@ -84,21 +90,33 @@ class _Loop:
         self.recorder = recorder
         self.guard = EventGuard(evaluator.code.system, options.span)
         self.reselection = Reselection(evaluator, options.span)
+        self.ended: Ending | None = None
         self._before = Work(0, 0, 0)
         self._operators = operators(evaluator.code.system)
         self._ahead = _AHEAD * (options.span or 1.0)
+        self._settling = Settling(evaluator, self._ahead)
+        self._schedule = Schedule(evaluator, options.start_time)
+        self._next = math.inf
+        """The next event at a known instant."""
         self._time = options.start_time
         self._x = evaluator.x.copy()
 
     def begin(self, time: float, x: Vector) -> None:
+        """Records the initial values, and what the first event makes of them."""
         self._time, self._x = time, x.copy()
-        before = self.evaluator.m.copy()
-        self.evaluator.at(time, x)
-        self.evaluator.settle()
+        evaluator, settling = self.evaluator, self._settling
+        before = self._switched()
+        evaluator.at(time, x)
+        evaluator.settle()
         self.recorder.add(time, x)
-        settle_modes(self.evaluator, time, x, self._ahead)
-        if not np.array_equal(self._own(before), self._own(self.evaluator.m)):
-            self.recorder.add(time, x)
+        settling.remember()
+        if "initial" in settling.phases:
+            evaluator.d[settling.phases["initial"]] = 0.0
+        evaluator.d[settling.samples] = self._schedule.due(time)
+        self._x = settling.settle(time, x)
+        if not np.array_equal(before, self._switched()) or not np.array_equal(x, self._x):
+            self.recorder.add(time, self._x)
+        self._close()
         self._restart()
 
     def reach(self, targets: Vector) -> int:
@@ -110,37 +128,63 @@ class _Loop:
 
     def _sweep(self, solver: Sweeper, targets: Vector) -> int:
         """To the next event, or as far as the solver goes at once; records the grid points on the way."""
-        found = solver.sweep(targets, self.options.stop_time)
+        if is_reached(self._time, self._next):
+            self._event(None)
+            return 0
+        found = solver.sweep(targets, min(self.options.stop_time, self._next))
         self.recorder.extend(found.times, found.rows)
         if found.is_suspect:
             self.recorder.look_again(found.time, found.x)
         elif found.crossed is not None:
             self._time, self._x = found.time, found.x
-            self._event(crossed_modes(self._operators, self.evaluator.m, found.crossed), found.crossed)
+            self._event(found.crossed)
+        elif found.is_there:
+            self._time, self._x = found.time, found.x
+            if is_reached(self._time, self._next):
+                self._event(None)
         return len(found.times)
 
     def _reach(self, target: float) -> None:
         """Advances to the grid point `target` through all events before it."""
-        if self.solver is None:
-            self._time = target
-            self.evaluator.at(target, self._x)
-            self.evaluator.settle()
+        stop = self.options.stop_time
+        while self.ended is None and target - self._time > _ROUND * max(abs(target), abs(self._time)):
+            if is_reached(self._time, self._next):
+                self._event(None)
+                continue
+            limit = min(target, self._next)
+            if self.solver is None:
+                self._time = limit
+            else:
+                arrival = self.solver.advance(limit, min(stop, self._next))
+                self._time, self._x = arrival.time, arrival.x
+                if arrival.crossed is not None:
+                    self._event(arrival.crossed)
+                    continue
+            if is_reached(self._time, self._next):
+                self._time = self._next
+                self._event(None)
+            elif self.solver is not None and self._operators and not self._modes_hold():
+                self._event(None)
+        if self.ended is None:
             self.recorder.add(target, self._x)
-            return
-        while target - self._time > _ROUND * max(abs(target), abs(self._time)):
-            arrival = self.solver.advance(target, self.options.stop_time)
-            self._time, self._x = arrival.time, arrival.x
-            if arrival.crossed is not None:
-                wanted = crossed_modes(self._operators, self.evaluator.m, arrival.crossed)
-                self._event(wanted, arrival.crossed)
-            elif self._operators and not self._modes_hold():
-                self._event(self.evaluator.m.copy(), None)
-        self.recorder.add(target, self._x)
+
+    def finish(self) -> None:
+        """The event at the end, if the model asks for it."""
+        phase = self._settling.phases.get("terminal")
+        if phase is not None:
+            self.evaluator.at(self._time, self._x)
+            self._settling.remember()
+            self.evaluator.d[phase] = 1.0
+            before = self._switched()
+            self._x = self._settling.settle(self._time, self._x)
+            if not np.array_equal(before, self._switched()):
+                self.recorder.add(self._time, self._x)
+            self._act()
 
     def course(self) -> Course:
         """What happened so far."""
         chosen = self.reselection
-        return Course(self.guard.count, chosen.count, chosen.compiling, self._work())
+        return Course(self.guard.count, chosen.count, chosen.compiling, self._work(), self.ended)
 
     def _work(self) -> Work:
         return self._before if self.solver is None else self._before + self.solver.work
@@ -149,8 +193,13 @@ class _Loop:
         """The modes of the model's events, without those that watch the choice of states."""
         return modes[: self.reselection.own(self.evaluator)]
 
+    def _switched(self) -> Vector:
+        """The model's modes and the values of discrete variables."""
+        count = len(self.evaluator.code.system.discrete.unknowns)
+        return np.concatenate([self._own(self.evaluator.m), self.evaluator.d[:count]])
+
     def _modes_hold(self) -> bool:
-        """Whether no relation clearly lost its mode: a net below CVODE's root search."""
+        """Whether no relation clearly lost its mode: a net below the solver's root search."""
         evaluator = self.evaluator
         evaluator.at(self._time, self._x)
         evaluator.event()
@@ -161,21 +210,54 @@ class _Loop:
         signs = np.sign(evaluator.roots).astype(np.int_)
         return not np.any(clear & (crossed_modes(self._operators, evaluator.m, signs) != evaluator.m))
 
-    def _event(self, wanted: Vector, crossed: NDArray[np.int_] | None) -> None:
-        """Records both sides of an event and starts the solver anew where modes changed."""
-        evaluator = self.evaluator
-        before = evaluator.m.copy()
+    def _event(self, crossed: NDArray[np.int_] | None) -> None:
+        """Records both sides of an event and starts the solver anew."""
+        evaluator, settling = self.evaluator, self._settling
+        if is_reached(self._time, self._next):
+            self._time = self._next
+        before = self._switched()
         own = crossed is None or bool(self._own(crossed).any())
         if own:
             self.recorder.add(self._time, self._x)
-        evaluator.m[:] = wanted
-        settle_modes(evaluator, self._time, self._x, self._ahead, crossed)
-        changed = self._own(before != evaluator.m)
-        if own:
-            self.guard.add(self._time, changed | self._own(wanted != before))
-        if changed.any():
+        evaluator.at(self._time, self._x)
+        settling.remember()
+        due = self._schedule.due(self._time)
+        evaluator.d[settling.samples] = due
+        x = settling.settle(self._time, self._x, crossed)
+        jumped = not np.array_equal(x, self._x)
+        self._x = x
+        changed = self._switched() != before
+        if changed.any() or jumped or due.any():
+            self.guard.add(self._time, changed)
             self.recorder.add(self._time, self._x)
+        self._close()
         self._restart()
+
+    def _close(self) -> None:
+        """Acts on what the event met, and ends the moment in which samples are true."""
+        self._act()
+        samples = self.evaluator.d[self._settling.samples]
+        if not samples.any():
+            return
+        before = self._switched()
+        self._settling.remember()
+        samples[:] = 0.0
+        self._x = self._settling.settle(self._time, self._x)
+        if not np.array_equal(before, self._switched()):
+            self.recorder.add(self._time, self._x)
+        self._act()
+
+    def _act(self) -> None:
+        """Raises the assertions that were violated at the event; notes its `terminate`."""
+        fired = self._settling.fired
+        if not fired.any():
+            return
+        part = self.evaluator.code.system.discrete
+        for i in np.flatnonzero(fired[: len(part.checks)]):
+            self.recorder.violated(part.checks[i].assertion, self._time)
+        for i in np.flatnonzero(fired[len(part.checks) :]):
+            termination = part.stops[i].termination
+            self.ended = self.ended or Ending(self._time, message_text(termination.message), termination.span)
 
     def _restart(self) -> None:
         """Starts the solver at the present point, with other states where these have become unfit."""
@@ -183,7 +265,9 @@ class _Loop:
             self._before = self._work()
             self.evaluator, self._x = self.reselection(self.evaluator, self._time, self._x)
             self._operators = operators(self.evaluator.code.system)
+            self._settling = Settling(self.evaluator, self._ahead)
             self.recorder.go_on_with(self.evaluator)
             self.solver = self.make_solver(self.evaluator)
+        self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
             self.solver.restart(self._time, self._x)

@@ -55,7 +55,7 @@ def simulate(
         interval=interval,
         solver=chosen(solver),
         max_steps=max_steps,
-        has_events=bool(code.system.zero_crossings),
+        has_events=bool(code.located),
         step=step,
         events=events,
         compiled=compiled,
@@ -74,7 +74,7 @@ def integrate(point: InitialPoint, options: Options) -> Result:
     def solver(current: Evaluator) -> Solver:
         return make_solver(current, options)
 
-    moves = (code.system.states or code.system.zero_crossings) and options.span > 0
+    moves = (code.system.states or code.located) and options.span > 0
     course = run(evaluator, solver if moves else None, point.x, options, recorder)
     cpu = process_time() - began - course.compiling - course.work.compiling
     return Result(

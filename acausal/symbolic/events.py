@@ -25,6 +25,7 @@ from acausal.symbolic.expressions.expr import (
     add,
     div,
     neg,
+    parts,
     postorder,
     relation,
     sub,
@@ -104,7 +105,7 @@ class _Search:
             if node in self._seen or node.op in ("noEvent", "smooth"):
                 continue
             self._seen.add(node)
-            below = node.args
+            below = parts(node)
             if node.op == "if" and is_momentary(node.args[0]):
                 below = (node.args[0], node.args[2])
             stack.extend(reversed(below))

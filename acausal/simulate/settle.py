@@ -1,0 +1,266 @@
+"""Event iteration: modes, discrete variables and continuous unknowns that agree right after an instant.
+
+Inner loop. Continuous blocks, modes (see `events` for what happens at a zero root) and discrete equations
+are evaluated in turn until nothing changes; values before the event stay fixed. Where that goes round in
+circles, as it may for friction elements that share a loop, one mode at a time is changed (Murty's least-index
+rule), and then every assignment of the modes that circled is tried, up to `MOST_TRIED`.
+
+Outer loop. States are reset, what was found becomes the value before the event, and the inner loop runs
+again, until that changes nothing (Modelica 3.6, appendix B). Both are bounded; what does not settle is named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from acausal.errors import AcausalError, Diagnostic, SimulationProblem
+from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.events import Instant, crossed_modes, operators, wanted_modes
+from acausal.simulate.initial_modes import Switched, moving, same_values
+from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import at, crossing_text, leaf_name, place, some
+from acausal.symbolic.causal import CausalSystem
+from acausal.symbolic.expressions.expr import Expr, symbols
+
+MAX_ITERATIONS = 50
+_PER_MODE = 4
+MOST_TRIED = 10
+"""Modes whose assignments are all tried."""
+
+
+class Settling:
+    """Settles events of one evaluator, looking `ahead` by a small time where a root is zero."""
+
+    def __init__(self, evaluator: Evaluator, ahead: float) -> None:
+        system = evaluator.code.system
+        part = system.discrete
+        self.evaluator = evaluator
+        self.fired: Vector = np.zeros(len(part.checks) + len(part.stops))
+        """Which checks and stops were met at the event, and were not before."""
+        self._ahead = ahead
+        self._ops = operators(system)
+        self._unknowns = slice(0, len(part.unknowns))
+        self._memory = slice(len(part.unknowns), len(part.unknowns) + len(part.memory))
+        first = self._memory.stop
+        self.samples = slice(first, first + len(part.samples))
+        self.phases = {leaf.op: first + len(part.samples) + i for i, leaf in enumerate(part.phases)}
+        known = set(part.unknowns)
+        self._judged = np.array(
+            [_is_discrete(leaf.args[0].op, leaf.args[0] in known) for leaf in part.memory], bool
+        )
+        self._resets = [system.states.index(reset.state) for reset in part.resets]
+        self._none = np.zeros(len(self._ops), dtype=np.bool_)
+        self._instant = Instant(0.0, evaluator.x.copy(), ahead, self._none, np.zeros(len(self._ops)))
+        self._error: AcausalError | None = None
+
+    def remember(self) -> None:
+        """What holds now is what held before the event."""
+        if self._memory.stop > self._memory.start:
+            self.evaluator.memory()
+            self.evaluator.d[self._memory] = self.evaluator.memory.outputs[0]
+
+    def settle(self, time: float, x: Vector, crossed: NDArray[np.int_] | None = None) -> Vector:
+        """Iterates to a fixed point at this instant; the states after it.
+
+        `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Raises
+        `SimulationProblem` (`simulate.mode-cycle`, `simulate.event-iteration`) where nothing settles.
+        """
+        evaluator = self.evaluator
+        self.fired[:] = 0.0
+        evaluator.at(time, x)
+        self._arrive(time, x, crossed)
+        if not evaluator.d.size:
+            self._agree()
+            return x
+        visited: list[Vector] = []
+        for _ in range(MAX_ITERATIONS):
+            self._agree()
+            reset = self._act()
+            before = evaluator.d[self._memory].copy()
+            self.remember()
+            now = evaluator.d[self._memory]
+            if not reset and same_values(before[self._judged], now[self._judged]):
+                return self._instant.x
+            visited.append(now.copy())
+        raise _no_end(evaluator.code.system, visited[MAX_ITERATIONS // 2 :], time)
+
+    def _arrive(self, time: float, x: Vector, crossed: NDArray[np.int_] | None) -> None:
+        """Notes the instant, and gives crossed relations their new values."""
+        evaluator = self.evaluator
+        if crossed is None:
+            self._instant = Instant(time, x.copy(), self._ahead, self._none, self._instant.roots)
+            return
+        evaluator.settle()
+        evaluator.event()
+        self._instant = Instant(time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy())
+        evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
+
+    def _act(self) -> bool:
+        """Notes checks and stops that are met, and resets states; whether any was reset."""
+        part = self.evaluator.code.system.discrete
+        if not (part.resets or part.checks or part.stops):
+            return False
+        evaluator = self.evaluator
+        evaluator.actions()
+        values = evaluator.actions.outputs[0]
+        n, c = len(part.resets), len(part.checks)
+        met, holds, ends = values[2 * n : 2 * n + c], values[2 * n + c : 2 * (n + c)], values[2 * (n + c) :]
+        violated = (met != 0.0) & (holds != 1.0)
+        self.fired[:] = np.maximum(self.fired, np.concatenate([violated, ends != 0.0]))
+        resets = np.flatnonzero(values[:n] != 0.0)
+        if not resets.size:
+            return False
+        x = self._instant.x.copy()
+        for i in resets:
+            x[self._resets[i]] = values[n + i]
+        self._instant = replace(self._instant, x=x)
+        evaluator.at(self._instant.time, x)
+        return True
+
+    def _agree(self) -> None:
+        """The inner loop."""
+        evaluator = self.evaluator
+        if not self._ops and not evaluator.d.size:
+            evaluator.settle()
+            return
+        self._error = None
+        start = Switched(evaluator.m.copy(), evaluator.d.copy())
+        circle: list[Switched] = []
+        for one_by_one in (False, True):
+            circle = self._iterate(one_by_one)
+            if not circle:
+                return
+            evaluator.m[:], evaluator.d[:] = start.m, start.d
+        if self._error is not None and len(circle) == 1:
+            raise self._error
+        if not self._try_all(circle):
+            raise _cycle(evaluator.code.system, circle, self._instant.time)
+
+    def _iterate(self, one_by_one: bool) -> list[Switched]:
+        """Until nothing changes: nothing; what came round again, or the place of an error, otherwise."""
+        evaluator = self.evaluator
+        visited: list[Switched] = []
+        for _ in range(MAX_ITERATIONS + (_PER_MODE * len(evaluator.m) if one_by_one else 0)):
+            present = Switched(evaluator.m.copy(), evaluator.d.copy())
+            if not self._step(present, one_by_one):
+                return [present]
+            following = Switched(evaluator.m.copy(), evaluator.d.copy())
+            if following.agrees(present):
+                return []
+            visited.append(present)
+            again = [i for i, seen in enumerate(visited) if seen.agrees(following)]
+            if again:
+                return visited[again[0] :]
+        return visited
+
+    def _step(self, present: Switched, one_by_one: bool) -> bool:
+        """One pass; False where something cannot be computed (the error is kept)."""
+        evaluator = self.evaluator
+        try:
+            evaluator.settle()
+            modes = wanted_modes(evaluator, self._instant)
+        except SimulationProblem as error:
+            self._error = self._error or error
+            return False
+        different = np.flatnonzero(modes != present.m)
+        if one_by_one and different.size:
+            modes = np.where(np.arange(len(modes)) == different[0], modes, present.m)
+        evaluator.m[:] = modes
+        return self._follow()
+
+    def _follow(self) -> bool:
+        """The discrete equations, once, with the present modes."""
+        evaluator = self.evaluator
+        if self._unknowns.stop == 0:
+            return True
+        evaluator.update()
+        found = evaluator.update.outputs[0]
+        if not np.isfinite(found).all():
+            self._error = self._error or _no_value(evaluator, found, self._instant.time)
+            return False
+        evaluator.d[self._unknowns] = found
+        return True
+
+    def _try_all(self, circle: list[Switched]) -> bool:
+        """Every assignment of the modes that circled; whether one is consistent, which then holds."""
+        evaluator = self.evaluator
+        which = np.flatnonzero(moving([switched.m for switched in circle]))
+        if len(which) > MOST_TRIED or len(circle) == 1:
+            return False
+        for values in product((0.0, 1.0), repeat=len(which)):
+            evaluator.m[:], evaluator.d[:] = circle[0].m, circle[0].d
+            evaluator.m[which] = values
+            if self._is_consistent(which):
+                return True
+        return False
+
+    def _is_consistent(self, which: NDArray[np.intp]) -> bool:
+        """Whether everything agrees once what is not in `which` has followed."""
+        evaluator = self.evaluator
+        chosen = evaluator.m[which].copy()
+        for _ in range(MAX_ITERATIONS):
+            present = Switched(evaluator.m.copy(), evaluator.d.copy())
+            if not self._step(present, one_by_one=False) or not np.array_equal(evaluator.m[which], chosen):
+                return False
+            if present.agrees(Switched(evaluator.m.copy(), evaluator.d.copy())):
+                return True
+        return False
+
+
+def _is_discrete(op: str, is_known: bool) -> bool:
+    """Whether the past of this changes at events only: a discrete variable or a condition."""
+    return is_known or op not in ("sym", "der")
+
+
+def _no_value(evaluator: Evaluator, found: Vector, time: float) -> AcausalError:
+    part = evaluator.code.system.discrete
+    assignment = part.assignments[int(np.flatnonzero(~np.isfinite(found))[0])]
+    name = leaf_name(assignment.unknown)
+    message = f"`{name}` is not a number {at(time)}"
+    span = assignment.equation.flat.span
+    return SimulationProblem(Diagnostic("simulate.not-finite", message, span, (name,)))
+
+
+def _cycle(system: CausalSystem, circle: list[Switched], time: float) -> AcausalError:
+    crossings = [
+        c for c, changes in zip(system.zero_crossings, moving([s.m for s in circle]), strict=True) if changes
+    ]
+    frozen = zip(system.discrete.assignments, moving([s.d for s in circle]), strict=False)
+    discrete = [a for a, changes in frozen if changes]
+    if not crossings:
+        return _circling(system, [a.unknown for a in discrete], time)
+    texts = some([crossing_text(crossing) for crossing in crossings])
+    names = [*symbols([c.relation for c in crossings]), *(leaf_name(a.unknown) for a in discrete)]
+    message = f"the conditions {texts} switch back and forth {at(time)} and do not settle"
+    hint = "the solution slides along the switching point: use a hysteresis or a continuous characteristic"
+    return SimulationProblem(
+        Diagnostic("simulate.mode-cycle", message, crossings[0].span, tuple(dict.fromkeys(names)), hint)
+    )
+
+
+def _no_end(system: CausalSystem, visited: list[Vector], time: float) -> AcausalError:
+    changing = moving(visited)
+    sources = [leaf.args[0] for leaf, on in zip(system.discrete.memory, changing, strict=True) if on]
+    return _circling(system, sources, time)
+
+
+def _circling(system: CausalSystem, leaves: Sequence[Expr], time: float) -> AcausalError:
+    """The event goes on for ever because of these discrete values."""
+    names = symbols(leaves)
+    by_unknown = {a.unknown: a.equation.flat for a in system.discrete.assignments}
+    spans = [by_unknown[leaf].span for leaf in leaves if leaf in by_unknown]
+    texts = [
+        f"`{leaf_name(leaf)}`" + (f" ({place(by_unknown[leaf].span)})" if leaf in by_unknown else "")
+        for leaf in leaves
+    ]
+    message = (
+        f"the event {at(time)} does not end: {some(texts)} changed in each of {MAX_ITERATIONS} iterations"
+    )
+    hint = "an equation contradicts its own value before the event, as `b = not pre(b)` does"
+    span = spans[0] if spans else system.flat.span
+    return SimulationProblem(Diagnostic("simulate.event-iteration", message, span, names, hint))
