@@ -57,6 +57,8 @@ class Instant:
     """How far to look forward."""
     crossed: NDArray[np.bool_]
     roots: Vector
+    anchored: bool = False
+    """Crossed relations keep the value that the crossing gave them, whatever the derivatives are now."""
 
 
 def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
@@ -73,7 +75,9 @@ def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
     _check(evaluator, roots, time)
     wanted = literal_modes(ops, roots)
     located = instant.crossed & (np.abs(roots - instant.roots) <= BAND * sizes)
-    near = located | (np.abs(roots) <= BAND * sizes)
+    kept = located & instant.anchored
+    wanted = np.where(kept, evaluator.m, wanted)
+    near = (located | (np.abs(roots) <= BAND * sizes)) & ~kept
     if not near.any():
         return wanted
     evaluator.at(time + ahead, x + ahead * evaluator.xdot)

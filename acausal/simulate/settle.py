@@ -5,7 +5,8 @@ are evaluated in turn until nothing changes; values before the event stay fixed.
 circles, as it may for friction elements that share a loop, one mode at a time is changed (Murty's least-index
 rule), and then every assignment of the modes that circled is tried, up to `MOST_TRIED`.
 
-Outer loop. States are reset, what was found becomes the value before the event, and the inner loop runs
+Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
+the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before the event, and the inner loop runs
 again, until that changes nothing (Modelica 3.6, appendix B). Both are bounded; what does not settle is named.
 """
 
@@ -79,12 +80,14 @@ class Settling:
             return x
         visited: list[Vector] = []
         for _ in range(MAX_ITERATIONS):
+            anchored = self._instant.anchored
             self._agree()
+            self._instant = replace(self._instant, anchored=False)
             reset = self._act()
             before = evaluator.d[self._memory].copy()
             self.remember()
             now = evaluator.d[self._memory]
-            if not reset and same_values(before[self._judged], now[self._judged]):
+            if not (reset or anchored) and same_values(before[self._judged], now[self._judged]):
                 return self._instant.x
             visited.append(now.copy())
         raise _no_end(evaluator.code.system, visited[MAX_ITERATIONS // 2 :], time)
@@ -97,7 +100,7 @@ class Settling:
             return
         evaluator.settle()
         evaluator.event()
-        self._instant = Instant(time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy())
+        self._instant = Instant(time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), bool(evaluator.d.size))
         evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
 
     def _act(self) -> bool:
