@@ -97,7 +97,7 @@ _Solution = tuple[Walked, Switched, tuple[Diagnostic, ...]]
 
 
 def _solved(problem: _Problem, otherwise: Callable[[InitializationProblem], _Solution]) -> _Solution:
-    """Values, modes, frozen values and what to report, from the start values; else as `otherwise` finds them."""
+    """Values, modes and what to report, from the start values; else as `otherwise` finds them."""
     try:
         return *consistent_modes(problem.code, problem.suggested(), problem), ()
     except InitializationProblem as error:

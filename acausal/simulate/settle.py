@@ -6,8 +6,10 @@ circles, as it may for friction elements that share a loop, one mode at a time i
 rule), and then every assignment of the modes that circled is tried, up to `MOST_TRIED`.
 
 Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
-the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before the event, and the inner loop runs
-again, until that changes nothing (Modelica 3.6, appendix B). Both are bounded; what does not settle is named.
+the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before
+the event, and the inner loop runs again, until that changes nothing (Modelica 3.6, appendix B).
+
+Both are bounded; what does not settle is named.
 """
 
 from __future__ import annotations
@@ -100,7 +102,9 @@ class Settling:
             return
         evaluator.settle()
         evaluator.event()
-        self._instant = Instant(time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), bool(evaluator.d.size))
+        self._instant = Instant(
+            time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), bool(evaluator.d.size)
+        )
         evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
 
     def _act(self) -> bool:
