@@ -7,9 +7,10 @@ the event, whole numbers), `s` start values in `InitialProblem.values` order, `z
 implicit blocks: a guess for `ode` and `jac`, which solve for them, and the solution (`z_out` of `ode` at the
 same point) for everything else. `m` and `d` are constant between events.
 
-Integrators look for sign changes only in the entries `located` of `events`; the other crossings happen at
-known instants (`instants`), which the event loop passes as the end of `advance`. What happens at an event is
-the event loop's (`simulate.run`): an integrator stops there and is restarted with new `x`, `m` and `d`.
+Integrators look for sign changes only in the entries `located` of `events`, shifted by `Evaluator.shift`
+(`Evaluator.crossings` gives these); the other crossings happen at known instants (`instants`), which the
+event loop passes as the end of `advance`. What happens at an event is the event loop's (`simulate.run`): an
+integrator stops there and is restarted with new `x`, `m` and `d`.
 
 All Functions but `parameters`, `starts`, `given_inputs` and `nominals` can be generated as C from here
 (`casadi.CodeGenerator`); a C run-time takes the pieces in `dynamic.codes` and brings its own Newton method.

@@ -57,8 +57,7 @@ class _Roots:
     def __call__(self, t: float, y: Vector, events: Vector, /) -> None:
         evaluator = self._evaluator
         evaluator.at(t, y[: evaluator.x.size])
-        evaluator.event()
-        events[:] = evaluator.roots[evaluator.located]
+        evaluator.crossings(events)
 
     def forget(self) -> None:
         """Empties those lists, which scikit-sundae would otherwise copy after every step."""

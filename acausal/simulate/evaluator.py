@@ -26,6 +26,10 @@ from acausal.simulate.walk import walk
 from acausal.symbolic.expressions.expr import Expr, der
 
 
+HYSTERESIS = 1e-10
+"""How far a root must pass zero, relative to both sides of its relation."""
+
+
 class Buffered:
     """One Function evaluating from `inputs` into `outputs`; False (and not-a-number) where CasADi fails.
 
@@ -75,6 +79,10 @@ class Evaluator:
         self.d = np.zeros(len(code.system.discrete.frozen))
         self.u = np.concatenate([self.inputs.constants, np.zeros(len(code.system.delays))])
         self.located = np.array(code.located, dtype=np.intp)
+        self.shift = np.zeros(len(code.located))
+        """What integrators add to the located roots, see `hold`."""
+        self._above = np.array([code.relations[i].op in ("gt", "ge") for i in code.located], dtype=np.bool_)
+        self._sizes = np.full(len(code.located), 1e-3)
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
@@ -119,6 +127,25 @@ class Evaluator:
         self.x[:] = x
         if self._moving:
             self.inputs.fill(time, self.u)
+
+    def hold(self) -> None:
+        """Shifts the located roots so that a relation keeps its mode until it is clearly lost.
+
+        A crossing that was just handled is not found again, and what rests at zero makes no events. The
+        shift is `HYSTERESIS` of the largest sum of both sides' absolute values met so far, at least of 1e-3.
+        """
+        if not self.located.size:
+            return
+        self.size()
+        sizes = self.sizes[self.located]
+        self._sizes = np.maximum(self._sizes, np.where(np.isfinite(sizes), sizes, 0.0))
+        positive = self._above == (self.m[self.located] != 0.0)
+        self.shift[:] = np.where(positive, HYSTERESIS, -HYSTERESIS) * self._sizes
+
+    def crossings(self, out: Vector) -> None:
+        """The located roots, shifted, at the present point: what integrators watch for sign changes."""
+        self.event()
+        np.add(self.roots[self.located], self.shift, out=out)
 
     def solve(self) -> None:
         """Derivatives and solved blocks at the present point, unless they are known already."""

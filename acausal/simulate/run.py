@@ -270,4 +270,6 @@ class _Loop:
             self.solver = self.make_solver(self.evaluator)
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
+            self.evaluator.at(self._time, self._x)
+            self.evaluator.hold()
             self.solver.restart(self._time, self._x)
