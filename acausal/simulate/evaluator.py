@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 from casadi import Function
+from numpy.typing import NDArray
 
 from acausal.codegen.functions import Code, state_leaves
 from acausal.errors import SimulationProblem
@@ -24,7 +25,6 @@ from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name
 from acausal.simulate.walk import walk
 from acausal.symbolic.expressions.expr import Expr, der
-
 
 HYSTERESIS = 1e-10
 """How far a root must pass zero, relative to both sides of its relation."""
@@ -141,6 +141,12 @@ class Evaluator:
         self._sizes = np.maximum(self._sizes, np.where(np.isfinite(sizes), sizes, 0.0))
         positive = self._above == (self.m[self.located] != 0.0)
         self.shift[:] = np.where(positive, HYSTERESIS, -HYSTERESIS) * self._sizes
+
+    def within(self, roots: Vector) -> NDArray[np.bool_]:
+        """Which roots are too close to zero to say that a relation lost its mode."""
+        result = np.zeros(len(roots), dtype=np.bool_)
+        result[self.located] = np.abs(roots[self.located]) <= np.abs(self.shift)
+        return result
 
     def crossings(self, out: Vector) -> None:
         """The located roots, shifted, at the present point: what integrators watch for sign changes."""

@@ -204,7 +204,7 @@ class _Loop:
         evaluator.at(self._time, self._x)
         evaluator.event()
         evaluator.size()
-        clear = np.abs(evaluator.roots) > 1e-6 * evaluator.sizes
+        clear = (np.abs(evaluator.roots) > 1e-6 * evaluator.sizes) & ~evaluator.within(evaluator.roots)
         if not clear.any():
             return True
         signs = np.sign(evaluator.roots).astype(np.int_)
