@@ -134,7 +134,7 @@ int ac_lu_ints(int n, int capacity);
 void ac_lu_init(ac_lu *lu, double *doubles, int *ints, int entries_w);
 /* Begins at (t, x); `side[i]` is the sign (1 or -1) that root i has in its present mode, 0 where it is not to be
  * looked for. Returns 0 or an error. */
-int ac_restart(ac_solver *s, double t, const double *x, const double *side);
+int ac_restart(ac_solver *s, double t, const double *x, const double *side, const double *slack);
 /* Integrates to `until`; writes outputs at the `count` times of `grid` (increasing, at most `until`) to
  * `rows`, one after the other, and their number to `filled`. */
 int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled);

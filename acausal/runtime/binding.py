@@ -173,7 +173,7 @@ class RunTime:
         self.lu_init = library.ac_lu_init
         self.lu_init.argtypes, self.lu_init.restype = [POINTER(LuStructure), _DOUBLES, _INTS, c_int], None
         self.restart = library.ac_restart
-        self.restart.argtypes, self.restart.restype = [solver, c_double, _DOUBLES, _DOUBLES], c_int
+        self.restart.argtypes, self.restart.restype = [solver, c_double, *[_DOUBLES] * 3], c_int
         self.sweep = library.ac_sweep
         self.sweep.argtypes = [solver, _DOUBLES, c_int, c_double, c_longlong, _DOUBLES, _INTS]
         self.sweep.restype = c_int

@@ -1,8 +1,8 @@
 /* Zero crossings inside the last step.
  *
  * A root counts in the direction of its present mode: v = side g + slack is positive until it crosses. A root
- * that is zero to rounding when the solver starts has a slack, so that noise around zero is no crossing, until
- * it has clearly left zero. Every step is looked at in several points, and where the size of a root has a
+ * that is zero when the solver starts is given a slack, so that noise around zero is no crossing, until it has
+ * clearly left zero. Every step is looked at in several points, and where the size of a root has a
  * minimum between them, close to the minimum too.
  */
 #include <math.h>
@@ -12,8 +12,7 @@
 #include "acausal_runtime.h"
 
 #define LEAST 4        /* points of a step at which roots are looked at */
-#define ARMED 1e-11    /* a root this large beside its sides has left zero */
-#define SLACK 1e-9     /* one that has not crosses when it is this large on the other side */
+#define ARMED 1e-2     /* a root this large beside its slack has left zero */
 #define HALVINGS 200
 
 static double value(const ac_solver *s, int i, const double *g)
@@ -34,7 +33,7 @@ static int crossed(const ac_solver *s, const double *g)
 static void arm(ac_solver *s, const double *g)
 {
     for (int i = 0; i < s->model->crossings; i++) {
-        if (s->slack[i] > 0.0 && s->side[i] * g[i] > s->slack[i] * (ARMED / SLACK)) {
+        if (s->slack[i] > 0.0 && s->side[i] * g[i] > ARMED * s->slack[i]) {
             s->slack[i] = 0.0;
         }
     }

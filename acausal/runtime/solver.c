@@ -67,7 +67,7 @@ void ac_interpolate(const ac_solver *s, double t, double *x)
     }
 }
 
-int ac_restart(ac_solver *s, double t, const double *x, const double *side)
+int ac_restart(ac_solver *s, double t, const double *x, const double *side, const double *slack)
 {
     ac_model *m = s->model;
     size_t bytes = (size_t)m->states * sizeof(double);
@@ -84,18 +84,10 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side)
         return 0;
     }
     memcpy(s->side, side, (size_t)m->crossings * sizeof(double));
+    memcpy(s->slack, slack, (size_t)m->crossings * sizeof(double));
     int code = ac_roots(m, t, x, s->g_old);
-    if (code == 0) {
-        code = ac_call(&m->scales) != 0 ? AC_NOT_FINITE : 0;
-    }
-    if (code != 0) {
-        return code;
-    }
-    for (int i = 0; i < m->crossings; i++) {
-        double away = s->side[i] * s->g_old[i];
-        int clear = away > 1e-11 * m->sizes[i];
-        s->slack[i] = clear ? 0.0 : fmax(2.0 * fabs(away), 1e-9 * m->sizes[i]);
-        if (s->side[i] != 0.0 && !isfinite(away)) {
+    for (int i = 0; code == 0 && i < m->crossings; i++) {
+        if (s->side[i] != 0.0 && !isfinite(s->g_old[i])) {
             code = AC_NOT_FINITE;
         }
     }

@@ -27,7 +27,8 @@ from acausal.simulate.walk import walk
 from acausal.symbolic.expressions.expr import Expr, der
 
 HYSTERESIS = 1e-10
-"""How far a root must pass zero, relative to both sides of its relation."""
+"""A root that rests and is this small beside both sides of its relation is zero."""
+_CLEAR, _REST = 1e-11, 1e-13
 
 
 class Buffered:
@@ -128,19 +129,37 @@ class Evaluator:
         if self._moving:
             self.inputs.fill(time, self.u)
 
-    def hold(self) -> None:
-        """Shifts the located roots so that a relation keeps its mode until it is clearly lost.
+    def hold(self, ahead: float) -> None:
+        """Sets `shift`, so that a crossing that was just handled is not found again, and rest makes no event.
 
-        A crossing that was just handled is not found again, and what rests at zero makes no events. The
-        shift is `HYSTERESIS` of the largest sum of both sides' absolute values met so far, at least of 1e-3.
+        A located root that is zero or on the wrong side of its mode at the present point is shifted back; one
+        that rests there, as it does not change in steps of `ahead`, by `HYSTERESIS` of the largest sum of
+        both sides' absolute values met so far (at least of 1e-3).
         """
         if not self.located.size:
             return
+        self.event()
         self.size()
-        sizes = self.sizes[self.located]
-        self._sizes = np.maximum(self._sizes, np.where(np.isfinite(sizes), sizes, 0.0))
-        positive = self._above == (self.m[self.located] != 0.0)
-        self.shift[:] = np.where(positive, HYSTERESIS, -HYSTERESIS) * self._sizes
+        roots, sizes = self.roots[self.located], np.nan_to_num(self.sizes[self.located], posinf=0.0)
+        self._sizes = np.maximum(self._sizes, sizes)
+        side = np.where(self._above == (self.m[self.located] != 0.0), 1.0, -1.0)
+        band = HYSTERESIS * self._sizes
+        slack = np.where(side * roots > _CLEAR * sizes, 0.0, np.maximum(2.0 * np.abs(roots), 1e-9 * sizes))
+        if (np.abs(roots) <= band).any():
+            rests = (np.abs(roots) <= band) & (np.abs(self._later(ahead) - roots) <= _REST * self._sizes)
+            slack = np.where(rests, np.maximum(slack, band), slack)
+        self.shift[:] = side * slack
+
+    def _later(self, ahead: float) -> Vector:
+        """The located roots after two steps along the derivatives: what turns round does not rest."""
+        time, x = float(self.t[0]), self.x.copy()
+        for i in (1, 2):
+            self.solve()
+            self.at(time + i * ahead, self.x + ahead * self.xdot)
+        self.event()
+        later = self.roots[self.located].copy()
+        self.at(time, x)
+        return later
 
     def within(self, roots: Vector) -> NDArray[np.bool_]:
         """Which roots are too close to zero to say that a relation lost its mode."""

@@ -112,12 +112,12 @@ class EventGuard:
     count: int = 0
     _recent: deque[tuple[float, NDArray[np.bool_]]] = field(default_factory=lambda: deque(maxlen=ZENO_EVENTS))
 
-    def add(self, time: float, changed: NDArray[np.bool_]) -> None:
-        """Notes one event instant and which modes and discrete values changed at it.
+    def add(self, time: float, changed: NDArray[np.bool_], happened: bool) -> None:
+        """Notes one stop, which modes and discrete values were involved, and whether it was an event.
 
         Raises `SimulationProblem` (`simulate.zeno`) where they accumulate.
         """
-        self.count += 1
+        self.count += happened
         self._recent.append((time, changed))
         if len(self._recent) < ZENO_EVENTS or time - self._recent[0][0] > ZENO_SHARE * self.span:
             return

@@ -218,8 +218,9 @@ class NativeSolver:
             self._longest = max(self._longest, perf_counter() - self._left + self._solver.latest)
         self._left = 0.0
         self._time, self._x = time, np.ascontiguousarray(x, dtype=np.float64)
-        sides = self._sides()
-        code = self._run_time.restart(self._solver, time, pointer(self._x), pointer(sides))
+        sides, slack = self._sides(), np.zeros(max(1, self._evaluator.m.size))
+        slack[self._evaluator.located] = np.abs(self._evaluator.shift)
+        code = self._run_time.restart(self._solver, time, pointer(self._x), pointer(sides), pointer(slack))
         if code != 0:
             raise self._failure(code)
 

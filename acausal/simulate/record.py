@@ -59,6 +59,10 @@ class Recorder:
         if evaluator.code.system.assertions:
             self._assert(time)
 
+    def is_at(self, time: float) -> bool:
+        """Whether the last row is one of this very instant."""
+        return bool(self._times) and self._times[-1] == time
+
     def extend(self, times: Vector, rows: Vector) -> None:
         """Takes rows that were evaluated elsewhere; `look_again` is for those that need it."""
         self._times.extend(times.tolist())

@@ -165,7 +165,7 @@ class _Loop:
                 self._event(None)
             elif self.solver is not None and self._operators and not self._modes_hold():
                 self._event(None)
-        if self.ended is None:
+        if self.ended is None and not self.recorder.is_at(target):
             self.recorder.add(target, self._x)
 
     def finish(self) -> None:
@@ -217,7 +217,7 @@ class _Loop:
             self._time = self._next
         before = self._switched()
         own = crossed is None or bool(self._own(crossed).any())
-        if own:
+        if own and not self.recorder.is_at(self._time):
             self.recorder.add(self._time, self._x)
         evaluator.at(self._time, self._x)
         settling.remember()
@@ -227,9 +227,17 @@ class _Loop:
         jumped = not np.array_equal(x, self._x)
         self._x = x
         changed = self._switched() != before
-        if changed.any() or jumped or due.any():
-            self.guard.add(self._time, changed)
+        happened = bool(changed.any() or jumped or due.any())
+        if happened:
             self.recorder.add(self._time, self._x)
+        if own:
+            found = (
+                self._own(crossed != 0)
+                if crossed is not None
+                else self._own(np.zeros(len(evaluator.m), bool))
+            )
+            changed[: len(found)] |= found
+            self.guard.add(self._time, changed, happened)
         self._close()
         self._restart()
 
@@ -271,5 +279,5 @@ class _Loop:
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
             self.evaluator.at(self._time, self._x)
-            self.evaluator.hold()
+            self.evaluator.hold(1e3 * self._ahead)
             self.solver.restart(self._time, self._x)
