@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from acausal.errors import BalanceProblem, Source, TypeProblem, UnsupportedProblem
+from acausal.errors import BalanceProblem, Source, TypeProblem
 from acausal.lang.base_modelica import print_flat
 from acausal.lang.flat import (
     BOOLEAN,
@@ -25,7 +25,6 @@ from acausal.lang.flat import (
 from acausal.lang.parser import parse
 from acausal.lang.verify import verify
 from acausal.symbolic.balance import check_balance
-from acausal.symbolic.causalise import causalise
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 from tests.lang.flat_models import assertion, equation, expression, model, real, span, variable
@@ -176,17 +175,3 @@ def test_other_algorithms_print_edges() -> None:
 def test_the_initial_event_fires_nothing_else() -> None:
     assert ex.trigger(ex.initial()) is ex.initial()
     assert ex.trigger(ex.FALSE) is ex.FALSE
-
-
-@pytest.mark.parametrize(
-    ("found", "code"),
-    [
-        (flat(COUNTED), "unsupported.when"),
-        (flat(more=["d = 1.0 if initial() else 2.0", "n = 1"]), "unsupported.initial"),
-        (flat(more=["d = pre(d)", "n = pre(n)"]), "unsupported.pre"),
-    ],
-)
-def test_what_is_not_simulated_is_refused_by_name(found: FlatModel, code: str) -> None:
-    with pytest.raises(UnsupportedProblem) as caught:
-        causalise(found)
-    assert caught.value.codes == (code,)
