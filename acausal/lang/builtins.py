@@ -149,7 +149,7 @@ BUILTINS: dict[str, Builtin] = {
 }
 NOT_YET = frozenset(
     {
-        "inStream", "actualStream", "spatialDistribution", "getInstanceName",
+        "spatialDistribution", "getInstanceName",
         "previous", "hold", "Clock", "subSample", "superSample", "shiftSample", "backSample", "noClock",
         "interval", "firstTick", "transition", "String",
     }

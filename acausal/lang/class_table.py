@@ -121,10 +121,18 @@ def build_table(scope: Scope) -> Table:
         _inherit(scope, table, Base(base, own, definition.dimensions, where, definition.span), False)
     elif isinstance(definition, ast.LongClass):
         if definition.extends:
-            raise class_extends(definition)
+            _inherit_replaced(scope, table, definition)
         _fill(scope, table, definition)
         check_combination(scope, table)
     return table
+
+
+def _inherit_replaced(scope: Scope, table: Table, definition: ast.LongClass) -> None:
+    """`redeclare model extends M`: the class of this name that is inherited is the base (7.3.1)."""
+    if scope.replaced is None:
+        raise class_extends(definition)
+    static = modifier_of(definition.modification, Context(scope, None))
+    _inherit(scope, table, Base(scope.replaced, static, None, scope, definition.span), False)
 
 
 def _fill(scope: Scope, table: Table, definition: ast.LongClass) -> None:
@@ -163,8 +171,6 @@ def own_redeclarations(scope: Scope) -> Modifier:
     children: dict[str, Modifier] = {}
     for element in definition.body.elements:
         if isinstance(element, ast.ClassDefinition) and element.prefixes.redeclare:
-            if isinstance(element, ast.LongClass) and element.extends:
-                raise class_extends(element)
             replaceable = element.prefixes.replaceable
             redeclaration = redeclaration_of(element, context, element.span, replaceable)
             children[element.name] = Modifier(redeclaration=redeclaration)

@@ -17,7 +17,7 @@ from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Mem
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Constant, Expr
 
-_Node = tuple[str, bool]
+Node = tuple[str, bool]
 """Path of a variable, and whether it is seen from outside its connector's component (an inside connector)."""
 
 
@@ -25,9 +25,9 @@ _Node = tuple[str, bool]
 class ConnectionSets:
     """Union of connected variables while `connect` equations are collected."""
 
-    parent: dict[_Node, _Node] = field(default_factory=dict[_Node, _Node])
+    parent: dict[Node, Node] = field(default_factory=dict[Node, Node])
     leaf: dict[str, Leaf] = field(default_factory=dict[str, Leaf])
-    place: dict[_Node, tuple[Span, str]] = field(default_factory=dict[_Node, tuple[Span, str]])
+    place: dict[Node, tuple[Span, str]] = field(default_factory=dict[Node, tuple[Span, str]])
     """Where a node was first connected: the connect equation and the component that holds it."""
     constants: list[tuple[Leaf, Leaf, Span]] = field(default_factory=list[tuple[Leaf, Leaf, Span]])
     """Parameters in connected connectors: their values must agree."""
@@ -43,7 +43,7 @@ class ConnectionSets:
     )
     """Connections replaced by the residue of `equalityConstraint`."""
 
-    def find(self, node: _Node) -> _Node:
+    def find(self, node: Node) -> Node:
         root = node
         while self.parent.setdefault(root, root) != root:
             root = self.parent[root]
@@ -51,7 +51,7 @@ class ConnectionSets:
             self.parent[node], node = root, self.parent[node]
         return root
 
-    def join(self, a: _Node, b: _Node, span: Span, component: str) -> None:
+    def join(self, a: Node, b: Node, span: Span, component: str) -> None:
         for node in (a, b):
             self.place.setdefault(node, (span, component))
         first, second = self.find(a), self.find(b)
@@ -113,7 +113,8 @@ def _connect_leaves(
     if a.type != b.type:
         raise mismatch(a, b, span, f"their types are {a.type} and {b.type}")
     if a.prefixes.connection is not b.prefixes.connection:
-        raise mismatch(a, b, span, "one is a flow variable, the other is not")
+        kind = "stream" if Connection.STREAM in (a.prefixes.connection, b.prefixes.connection) else "flow"
+        raise mismatch(a, b, span, f"one is a {kind} variable, the other is not")
     parameters = [x for x in (a, b) if x.prefixes.variability <= Variability.PARAMETER]
     if len(parameters) == 2:
         sets.constants.append((a, b, span))
@@ -136,13 +137,15 @@ def check_constants(sets: ConnectionSets, values: dict[str, Constant]) -> None:
 
 def connection_equations(sets: ConnectionSets, root: Instance) -> list[Equation]:
     """The equations of all sets, then `0 = flow` for the unconnected ones, in order of the model."""
-    groups: dict[_Node, list[_Node]] = {}
+    groups: dict[Node, list[Node]] = {}
     for node in sets.place:
         groups.setdefault(sets.find(node), []).append(node)
     equations: list[Equation] = []
     for members in groups.values():
         span, component = sets.place[members[0]]
         leaf = sets.leaf[members[0][0]]
+        if leaf.prefixes.connection is Connection.STREAM:
+            continue  # see streams
         if leaf.prefixes.connection is Connection.FLOW:
             equations.append(_flow_balance(members, span, component))
         else:
@@ -152,14 +155,14 @@ def connection_equations(sets: ConnectionSets, root: Instance) -> list[Equation]
     return equations
 
 
-def _flow_balance(members: list[_Node], span: Span, component: str) -> Equation:
+def _flow_balance(members: list[Node], span: Span, component: str) -> Equation:
     terms: list[Expr] = [ex.sym(path) if inside else ex.neg(ex.sym(path)) for path, inside in members]
     return Equation(ex.add(*terms), ex.ZERO, span, component, Origin.FLOW_BALANCE)
 
 
-def _check_sources(members: list[_Node], sets: ConnectionSets) -> None:
+def _check_sources(members: list[Node], sets: ConnectionSets) -> None:
     """At most one output of a part or public input of the component itself may feed a set (9.3)."""
-    sources: list[_Node] = []
+    sources: list[Node] = []
     for path, inside in members:
         source = Causality.OUTPUT if inside else Causality.INPUT
         if sets.leaf[path].prefixes.causality is source and (inside or path not in sets.hidden):
@@ -168,7 +171,7 @@ def _check_sources(members: list[_Node], sets: ConnectionSets) -> None:
         raise two_sources(sources[0][0], sources[1][0], sets.place[sources[1]][0])
 
 
-def _equalities(members: list[_Node], sets: ConnectionSets) -> list[Equation]:
+def _equalities(members: list[Node], sets: ConnectionSets) -> list[Equation]:
     first = ex.sym(members[0][0])
     paths = list(dict.fromkeys([path for path, _ in members[1:] if path != members[0][0]]))
     return [

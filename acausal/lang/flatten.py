@@ -13,6 +13,7 @@ from acausal.lang.flat import FlatModel, Variable
 from acausal.lang.flat_variables import Variables
 from acausal.lang.instance import Instance
 from acausal.lang.links import components
+from acausal.lang.streams import Streams
 from acausal.lang.translate import Translator
 from acausal.symbolic.expressions import expr as ex
 
@@ -36,11 +37,15 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
     }
     check_constants(work.sets, values)
     constraints = constraint_equations(translator, sets, network.overdetermined, root)
-    equations = (
-        *variables.bindings,
-        *work.equations,
-        *connection_equations(work.sets, root),
-        *constraints,
+    streams = Streams(translator, sets, network.flows(), tuple(network.asked))
+    equations = streams.resolved(
+        (
+            *variables.bindings,
+            *work.equations,
+            *connection_equations(work.sets, root),
+            *streams.equations(),
+            *constraints,
+        )
     )
     work.discrete.check_left_limits(translator.left_limits)
     work.discrete.check_states(equations)
@@ -50,12 +55,12 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         description=root.description,
         variables=tuple([work.discrete.mark(v) for v in _marked(translator, found)]),
         equations=equations,
-        initial_equations=tuple(work.initial),
-        assertions=without_repetitions(translator.assertions),
+        initial_equations=streams.resolved(work.initial),
+        assertions=streams.resolved(without_repetitions(translator.assertions)),
         experiment=experiment_of(translator, root.scope),
         span=root.scope.span,
         warnings=tuple(translator.warnings),
-        whens=tuple(work.whens),
+        whens=streams.resolved(work.whens),
     )
 
 

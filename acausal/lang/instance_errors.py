@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from acausal.errors import AcausalError, LookupProblem, Span, TypeProblem, UnsupportedProblem, fail
-from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.instance import Instance
 from acausal.lang.modifiers import Modifier
@@ -38,13 +37,6 @@ def check_instantiable(scope: Scope, path: str, span: Span) -> None:
     if definition.class_prefixes.expandable:
         message = f"`{path}` is an expandable connector, which is not supported yet"
         raise fail(UnsupportedProblem, "unsupported.expandable", message, span, names=[path])
-
-
-def refuse_unsupported(clause: ast.ComponentClause, path: str) -> None:
-    """Raise for prefixes that this version does not know."""
-    if clause.flow == "stream":
-        message = f"`{path}` is declared `stream`, which is not supported yet"
-        raise fail(UnsupportedProblem, "unsupported.stream", message, clause.span, names=[path])
 
 
 def outer_modified(path: str, span: Span | None) -> AcausalError:

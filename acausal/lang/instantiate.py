@@ -26,14 +26,13 @@ from acausal.lang.component_prefixes import (
     with_causality,
 )
 from acausal.lang.flat import Causality
-from acausal.lang.instance import Absent, Array, Instance, Leaf, Member, Outer, Prefixes
+from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, Outer, Prefixes
 from acausal.lang.instance_errors import (
     check_instantiable,
     cyclic_structure,
     modifies_protected,
     not_a_component,
     outer_modified,
-    refuse_unsupported,
     too_deep,
     too_large,
     unsupported_overdetermined,
@@ -75,6 +74,8 @@ class Instantiator:
         self._attributes: dict[tuple[SimpleType, tuple[Modifier, ...]], dict[str, Binding]] = {}
         self._count = 0
         self._automatic = AutomaticInners(self, translation.warnings)
+        self.has_streams = False
+        """Whether any variable is a stream variable."""
         self._constraints: dict[Scope, Scope | None] = {}
         self.overdetermined: dict[str, Scope] = {}
         """The function `equalityConstraint` of each overdetermined record or type, by path (9.4)."""
@@ -161,7 +162,6 @@ class Instantiator:
     def _build(self, entry: ComponentEntry, instance: Instance) -> Member | Outer:
         path = f"{instance.path}.{entry.name}" if instance.path else entry.name
         clause, declaration = entry.clause, entry.declaration
-        refuse_unsupported(clause, path)
         context = Context(entry.scope, instance)
         if declaration.condition is not None and not self._is_there(declaration.condition, context, path):
             return Absent(path, declaration.span)
@@ -357,6 +357,7 @@ class Instantiator:
             prefixes = with_causality(prefixes, simple.causality)
         if modifier.final and not prefixes.final:
             prefixes = replace(prefixes, final=True)
+        self.has_streams = self.has_streams or prefixes.connection is Connection.STREAM
         return Leaf(
             path,
             simple.scalar,

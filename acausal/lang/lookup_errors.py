@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from acausal.errors import AcausalError, LookupProblem, Span, UnsupportedProblem, fail
+from acausal.errors import AcausalError, LookupProblem, Span, fail
 from acausal.lang import ast
 from acausal.lang.predefined import SIMPLE_TYPES
 
@@ -114,14 +114,14 @@ def cyclic_extends(scope: Scope) -> AcausalError:
 
 
 def class_extends(definition: ast.LongClass) -> AcausalError:
-    """The refusal of `model extends M`."""
+    """The error for `model extends M` where no `M` is inherited or `redeclare` is missing (7.3.1)."""
     return fail(
-        UnsupportedProblem,
-        "unsupported.class-extends",
-        f"`{definition.kind} extends {definition.name}` is not supported yet",
+        LookupProblem,
+        "redeclare.nothing",
+        f"`{definition.kind} extends {definition.name}` needs an inherited class of this name",
         definition.span,
         names=[definition.name],
-        hint="extend the inherited class under a new name",
+        hint=f"write `redeclare {definition.kind} extends {definition.name}` in a class that inherits it",
     )
 
 

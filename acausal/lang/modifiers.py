@@ -67,6 +67,7 @@ class Redeclaration:
     """`redeclare ...` or a `replaceable` inside a modification, in its context; `node` is that of a class.
 
     `constraint` is its own constraining clause, `previous` what it redeclares again if that had one (7.3.2).
+    `over` is the redeclaration that `redeclare model extends M` extends (7.3.1); None: the declared class.
     """
 
     element: ast.ClassDefinition | ast.ComponentClause
@@ -76,13 +77,30 @@ class Redeclaration:
     node: ClassNode | None
     constraint: ast.Constraint | None = None
     previous: Redeclaration | None = None
+    over: Redeclaration | None = None
+
+    @property
+    def extends(self) -> bool:
+        """Whether the class extends the one that it replaces."""
+        return isinstance(self.element, ast.LongClass) and self.element.extends
 
     def again(self, previous: Redeclaration) -> Redeclaration:
-        """The same after another redeclaration, of which only the constraint counts."""
-        if previous.constraint is None and previous.previous is None:
+        """The same after another redeclaration: its constraint counts, and a class may extend it."""
+        constrained = previous.constraint is not None or previous.previous is not None
+        if not constrained and not self.extends:
             return self
+        over = self.over
+        if self.extends:
+            over = previous if over is None else over.again(previous)
         return Redeclaration(
-            self.element, self.context, self.span, self.replaceable, self.node, self.constraint, previous
+            self.element,
+            self.context,
+            self.span,
+            self.replaceable,
+            self.node,
+            self.constraint,
+            previous if constrained else self.previous,
+            over,
         )
 
 
@@ -353,4 +371,5 @@ def _bound_redeclaration(redeclaration: Redeclaration, instance: Instance) -> Re
         redeclaration.node,
         redeclaration.constraint,
         redeclaration.previous,
+        redeclaration.over,
     )

@@ -12,9 +12,10 @@ from acausal.errors import Span
 from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.connection_nodes import connector_side
-from acausal.lang.instance import Instance
+from acausal.lang.instance import Instance, Leaf
 from acausal.lang.links import Link, links_of
 from acausal.lang.scope import Scope
+from acausal.lang.stream_flows import stream_flows
 from acausal.lang.translation import Env, Translation
 from acausal.lang.virtual_graph import VirtualGraph, graph_node, virtual_graph
 
@@ -22,7 +23,9 @@ from acausal.lang.virtual_graph import VirtualGraph, graph_node, virtual_graph
 class Network:
     """The connections of one model. `overdetermined` holds `equalityConstraint` of records by path."""
 
-    def __init__(self, translation: Translation, root: Instance, overdetermined: Mapping[str, Scope]) -> None:
+    def __init__(
+        self, translation: Translation, root: Instance, overdetermined: Mapping[str, Scope], has_streams: bool
+    ) -> None:
         self._translation = translation
         self._root = root
         self.overdetermined = overdetermined
@@ -30,6 +33,10 @@ class Network:
         self._graph: VirtualGraph | None = None
         self._counts: dict[str, int] | None = None
         self._busy = False
+        self._has_streams = has_streams
+        self._flows: dict[str, Leaf] | None = None
+        self.asked: dict[str, None] = {}
+        """Stream variables that `inStream` is applied to."""
 
     def links(self, span: Span) -> list[Link]:
         """All links. Raises `connections.cyclic` when a condition around one of them depends on them."""
@@ -59,6 +66,12 @@ class Network:
         """`Connections.rooted`."""
         node = graph_node(self._translation, argument, env, self.overdetermined)
         return self.graph(argument.span).is_rooted(node, argument.span)
+
+    def flows(self) -> dict[str, Leaf]:
+        """The flow variable beside each stream variable, by its path."""
+        if self._flows is None:
+            self._flows = stream_flows(self._root) if self._has_streams else {}
+        return self._flows
 
     def cardinality(self, argument: ast.Expression, env: Env) -> int:
         """How often a connector stands in a `connect` equation (3.7.4.3)."""

@@ -24,7 +24,7 @@ from acausal.lang.lookup_errors import (
     unknown_name,
     unknown_nested,
 )
-from acausal.lang.modifiers import NO_MODIFIER, Modifier, merge
+from acausal.lang.modifiers import NO_MODIFIER, Modifier, Redeclaration, merge
 from acausal.lang.predefined import PREDEFINED, PREDEFINED_FILE, predefined
 from acausal.lang.redeclarations import kept_modifier, redeclared_class
 
@@ -79,8 +79,8 @@ class Scope:
     """A class in its surroundings; see the module's text. `enclosing` is None for a top-level class.
 
     `modifier` holds what outside modifications say about the classes inside; `below` the modifications that
-    a redeclared class keeps from what it replaces, and `constraints` the classes that it must be compatible
-    with, and each with the next.
+    a redeclared class keeps from what it replaces, `constraints` the classes that it must be compatible with,
+    and each with the next, and `replaced` the class that `redeclare model extends M` extends.
     """
 
     __slots__ = (
@@ -93,6 +93,7 @@ class Scope:
         "enclosing",
         "modifier",
         "node",
+        "replaced",
         "root",
     )
 
@@ -104,6 +105,7 @@ class Scope:
         modifier: Modifier = NO_MODIFIER,
         below: Modifier = NO_MODIFIER,
         constraints: tuple[Scope, ...] = (),
+        replaced: Scope | None = None,
     ) -> None:
         self.node = node
         self.enclosing = enclosing
@@ -111,6 +113,7 @@ class Scope:
         self.modifier = modifier
         self.below = below
         self.constraints = constraints
+        self.replaced = replaced
         self._table: Table | None = None
         self._busy = False
         self._nested: dict[str, Scope] = {}
@@ -189,7 +192,7 @@ class Scope:
         if key not in self._modified:
             outside = merge(Modifier(children=relevant), self.modifier)
             self._modified[key] = Scope(
-                self.node, self.enclosing, self.root, outside, self.below, self.constraints
+                self.node, self.enclosing, self.root, outside, self.below, self.constraints, self.replaced
             )
         return self._modified[key]
 
@@ -320,7 +323,19 @@ def _found(entry: ComponentEntry | ClassEntry, where: Scope) -> Found:
 def _modified_class(entry: ClassEntry, root: Root) -> Scope:
     """A nested class that is redeclared or modified from outside."""
     found = redeclared_class(entry)
-    return Scope(found.node, found.enclosing, root, found.modifier, found.below, found.constraints)
+    redeclaration = entry.modifier.redeclaration
+    replaced = None
+    if redeclaration is not None and redeclaration.extends:
+        replaced = _replaced(entry, redeclaration.over, root)
+    return Scope(found.node, found.enclosing, root, found.modifier, found.below, found.constraints, replaced)
+
+
+def _replaced(entry: ClassEntry, over: Redeclaration | None, root: Root) -> Scope:
+    """The class that `redeclare model extends M` extends: `M` as it would be without it."""
+    if over is None:
+        return entry.scope.plain_nested(entry)
+    below = ClassEntry(entry.name, entry.node, entry.scope, Modifier(redeclaration=over))
+    return _modified_class(below, root)
 
 
 # --------------------------------------------------------------------------- imports

@@ -77,7 +77,7 @@ class Translator:
 
     def start(self, root: Instance) -> Network:
         """The model is complete: from now on its connections can be asked for."""
-        self._network = Network(self, root, self.instances.overdetermined)
+        self._network = Network(self, root, self.instances.overdetermined, self.instances.has_streams)
         return self._network
 
     def network(self, span: Span) -> Network:

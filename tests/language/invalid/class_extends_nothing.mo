@@ -1,4 +1,4 @@
-// error: unsupported.class-extends line 9 names M
+// error: redeclare.nothing line 9 names N
 model A
   replaceable model M
     Real x = 1;
@@ -6,8 +6,8 @@ model A
 end A;
 model Test
   extends A;
-  redeclare model extends M
+  redeclare model extends N
     Real y = 2;
-  end M;
-  M m;
+  end N;
+  N m;
 end Test;
