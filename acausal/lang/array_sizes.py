@@ -22,13 +22,17 @@ def array_shape(
     path: str,
     span: Span,
     sizes: list[int],
+    *,
+    growing: bool = False,
 ) -> tuple[int, ...]:
     """The sizes of a component, outermost first. They are put into `sizes` one by one, so that a later size
-    may depend on an earlier one: `Real A[:, size(A, 1)]`.
+    may depend on an earlier one: `Real A[:, size(A, 1)]`. A `growing` array of unknown size starts empty.
     """
     for dimensions, context in written:
         for item in dimensions.items:
-            if isinstance(item, ast.Colon):
+            if isinstance(item, ast.Colon) and growing and modifier.binding is None:
+                sizes.append(0)
+            elif isinstance(item, ast.Colon):
                 sizes.append(_from_value(translation, modifier, len(sizes), path, span))
             else:
                 sizes.append(_evaluated(translation, item, context, path))

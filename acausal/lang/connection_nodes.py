@@ -26,6 +26,7 @@ class ConnectorSide:
 
 def connector_side(translation: Translation, node: ast.ComponentReference, env: Env) -> ConnectorSide:
     """What one argument of `connect` names. Raises `connect.not-a-connector`, `connect.too-deep`."""
+    env = env.with_connecting()
     instance = env.context.instance
     assert instance is not None  # only components have equations
     found = resolve(translation, node, env)
@@ -46,7 +47,7 @@ def connector_side(translation: Translation, node: ast.ComponentReference, env: 
 def _is_connector(member: Member) -> bool:
     kind = member
     while isinstance(kind, Array) and kind.items:
-        kind = kind.items[0]
+        kind = next((item for item in kind.items if not isinstance(item, Absent)), kind.items[0])
     return isinstance(kind, Leaf) or (isinstance(kind, Instance) and kind.is_connector)
 
 

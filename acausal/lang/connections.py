@@ -7,7 +7,7 @@ that is connected to nothing is zero; so is one of the model's own connectors.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from acausal.errors import Span
@@ -34,6 +34,10 @@ class ConnectionSets:
     hidden: set[str] = field(default_factory=set[str])
     """Variables of protected connectors, which nothing outside their component can feed."""
 
+    in_buses: Mapping[str, None] = field(default_factory=dict[str, None])
+    """What stands in expandable connectors, which counts as a connector there (9.1.3)."""
+    added_flows: Sequence[Leaf] = ()
+    """Flow variables that connections added to expandable connectors."""
     overdetermined: Mapping[str, object] = field(default_factory=dict[str, object])
     """Paths of overdetermined records and types (9.4)."""
     broken: Mapping[tuple[str, str], None] = field(default_factory=dict[tuple[str, str], None])
@@ -67,6 +71,8 @@ def connect(
     Raises `TypeProblem` `connect.*` when the connectors do not fit.
     """
     for side in (left[0], right[0]):
+        if side.path in sets.in_buses:
+            continue
         if (isinstance(side, Instance) and not side.is_connector) or (
             isinstance(side, Leaf) and not side.connector
         ):
@@ -189,6 +195,10 @@ def _unconnected(sets: ConnectionSets, root: Instance) -> list[Equation]:
         Equation(ex.sym(leaf.path), ex.ZERO, leaf.span, component, Origin.UNCONNECTED)
         for leaf, component in _flow_leaves(root)
         if (leaf.path, True) not in sets.place
+    ] + [
+        Equation(ex.sym(leaf.path), ex.ZERO, leaf.span, "", Origin.UNCONNECTED)
+        for leaf in sets.added_flows
+        if (leaf.path, False) not in sets.place
     ]
 
 

@@ -10,17 +10,16 @@ from acausal.lang import ast
 from acausal.lang.algorithm_sections import translate_section
 from acausal.lang.arithmetic import as_boolean, type_error
 from acausal.lang.assertions import assertion_of, guard_assertions, termination_text
-from acausal.lang.connection_nodes import connector_side
-from acausal.lang.connections import ConnectionSets, connect
+from acausal.lang.connecting import add_connection
+from acausal.lang.connections import ConnectionSets
 from acausal.lang.discrete import DiscreteVariables
 from acausal.lang.flat import Equation, Origin, Termination, When
-from acausal.lang.instance import Absent, Instance, leaves
+from acausal.lang.instance import Instance
 from acausal.lang.iteration import iterate
 from acausal.lang.links import GRAPH_CALLS, call_name
 from acausal.lang.matching_values import match_values, merge_branches
 from acausal.lang.modifiers import Context
 from acausal.lang.naming import names_in, names_in_when, with_names
-from acausal.lang.printer import print_expression
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue
 from acausal.lang.when_equations import terminating, translate_when
@@ -191,20 +190,7 @@ class Equations:
 
     def _connect(self, node: ast.ConnectEquation, env: Env, target: list[Equation]) -> None:
         self._check_unconditional("connect", node, target, (node.left.text, node.right.text))
-        left = connector_side(self._translation, node.left, env)
-        right = connector_side(self._translation, node.right, env)
-        if any(isinstance(member, Absent) for side in (left, right) for member in side.members):
-            return  # a conditional component that is not there takes its connections along (4.4.5)
-        if left.shape != right.shape:
-            sides = f"`{print_expression(node.left)}` and `{print_expression(node.right)}`"
-            message = f"{sides} have different sizes: {list(left.shape)} and {list(right.shape)}"
-            raise type_error("connect.mismatch", message, node.span, "", (node.left.text, node.right.text))
-        for side in (left, right):
-            if side.hidden:
-                self.sets.hidden.update([leaf.path for member in side.members for leaf in leaves(member)])
-        component = _component_of(env)
-        for x, y in zip(left.members, right.members, strict=True):
-            connect(self.sets, (x, left.inside), (y, right.inside), node.span, component)
+        add_connection(self._translation, self.sets, node, env)
 
     def _call(self, node: ast.CallEquation, env: Env, target: list[Equation]) -> None:
         name = call_name(node.call)

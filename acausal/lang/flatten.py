@@ -21,7 +21,7 @@ from acausal.symbolic.expressions import expr as ex
 def flatten(translator: Translator, root: Instance) -> FlatModel:
     """The FlatModel of a complete instance tree. Raises what its expressions and equations raise."""
     network = translator.start(root)
-    sets = ConnectionSets()
+    sets = ConnectionSets(in_buses=network.expansion.inside, added_flows=network.expansion.added_flows)
     if network.overdetermined:
         sets.overdetermined = network.overdetermined
         sets.broken = network.graph(root.scope.span).broken

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from acausal.errors import Span
+from acausal.lang import ast
 from acausal.lang.flat import Causality, ScalarType, Variability
 from acausal.lang.light import light_object
 from acausal.lang.modifiers import NO_MODIFIER, Binding, Modifier
@@ -114,6 +115,11 @@ class Instance:
         return self.scope.kind == "connector"
 
     @property
+    def is_expandable(self) -> bool:
+        """Whether connections may add variables to this connector (9.1.3)."""
+        return self.scope.kind == "connector" and _expandable(self.scope)
+
+    @property
     def is_record(self) -> bool:
         return self.scope.kind in ("record", "operator")
 
@@ -125,6 +131,13 @@ class Instance:
                 return current
             current = current.parent
         return None
+
+
+def _expandable(scope: Scope) -> bool:
+    definition = scope.definition
+    if isinstance(definition, ast.ShortClass) and not definition.class_prefixes.expandable:
+        return _expandable(scope.table.bases[0].scope)
+    return definition.class_prefixes.expandable
 
 
 Member = Leaf | Array | Absent | Instance

@@ -34,9 +34,6 @@ def check_instantiable(scope: Scope, path: str, span: Span) -> None:
     if scope.path == EXTERNAL_OBJECT or any(base.scope.path == EXTERNAL_OBJECT for base in scope.table.bases):
         message = f"`{path}` is the external object `{scope.path}`, which is not supported yet"
         raise fail(UnsupportedProblem, "unsupported.external-object", message, span, names=[path])
-    if definition.class_prefixes.expandable:
-        message = f"`{path}` is an expandable connector, which is not supported yet"
-        raise fail(UnsupportedProblem, "unsupported.expandable", message, span, names=[path])
 
 
 def outer_modified(path: str, span: Span | None) -> AcausalError:
@@ -103,13 +100,4 @@ def cyclic_structure(entry: ComponentEntry, instance: Instance) -> AcausalError:
         entry.declaration.span,
         names=[path],
         hint="break the circle of parameters",
-    )
-
-
-def unsupported_overdetermined(path: str, span: Span) -> AcausalError:
-    """The refusal of an array of an overdetermined type, each element of which would be a node (9.4)."""
-    message = f"`{path}` is an array of an overdetermined type, which is not supported"
-    hint = "put the overdetermined type into a record, and make an array of records"
-    return fail(
-        UnsupportedProblem, "unsupported.overdetermined-array", message, span, names=[path], hint=hint
     )

@@ -35,7 +35,6 @@ from acausal.lang.instance_errors import (
     outer_modified,
     too_deep,
     too_large,
-    unsupported_overdetermined,
 )
 from acausal.lang.modifiers import (
     NO_MODIFIER,
@@ -48,6 +47,7 @@ from acausal.lang.modifiers import (
     not_replaceable,
     overrides_final,
 )
+from acausal.lang.overdetermined import Overdetermined
 from acausal.lang.redeclarations import check_not_constant, declared_constraints, redeclared_constraints
 from acausal.lang.restrictions_functions import check_used
 from acausal.lang.scope import Scope
@@ -74,11 +74,11 @@ class Instantiator:
         self._attributes: dict[tuple[SimpleType, tuple[Modifier, ...]], dict[str, Binding]] = {}
         self._count = 0
         self._automatic = AutomaticInners(self, translation.warnings)
+        self.has_expandable = False
+        """Whether any component is an expandable connector."""
         self.has_streams = False
         """Whether any variable is a stream variable."""
-        self._constraints: dict[Scope, Scope | None] = {}
-        self.overdetermined: dict[str, Scope] = {}
-        """The function `equalityConstraint` of each overdetermined record or type, by path (9.4)."""
+        self._overdetermined = Overdetermined()
 
     # ------------------------------------------------------------------ roots
 
@@ -123,6 +123,11 @@ class Instantiator:
         return root
 
     # ------------------------------------------------------------------ types
+
+    @property
+    def overdetermined(self) -> dict[str, Scope]:
+        """The function `equalityConstraint` of each overdetermined record or type, by path (9.4)."""
+        return self._overdetermined.functions
 
     def simple_type(self, scope: Scope) -> SimpleType | None:
         """What a type boils down to if it is (derived from) a predefined type or an enumeration."""
@@ -310,8 +315,8 @@ class Instantiator:
 
     def _shaped(self, plan: Plan, modifier: Modifier, instance: Instance, name: str) -> Member:
         simple = self._types.of(plan.type)
-        if simple is not None and self._constraint_of(plan.type) is not None:
-            self._overdetermined(plan)
+        if simple is not None:
+            self._overdetermined.note_variable(plan)
         places = [(plan.declaration.dimensions, plan.context), (plan.clause.dimensions, plan.context)]
         if simple is not None:
             places += [(dimensions, Context(scope, None)) for dimensions, scope in simple.dimensions]
@@ -319,27 +324,20 @@ class Instantiator:
         if not written:
             return self._element(plan, simple, plan.path, modifier, instance)
         sizes = self._building[instance, name]
-        shape = array_shape(self._translation, written, modifier, plan.path, plan.declaration.span, sizes)
+        shape = array_shape(
+            self._translation,
+            written,
+            modifier,
+            plan.path,
+            plan.declaration.span,
+            sizes,
+            growing=instance.is_expandable,
+        )
 
         def build(path: str, part: Modifier) -> Member:
             return self._element(plan, simple, path, part, instance)
 
         return array_of(plan, shape, simple, modifier, build)
-
-    def _constraint_of(self, scope: Scope) -> Scope | None:
-        """The function `equalityConstraint` of an overdetermined class (9.4.1)."""
-        if scope not in self._constraints:
-            entry = None if scope.is_predefined else scope.find_class_entry("equalityConstraint")
-            self._constraints[scope] = None if entry is None else scope.nested(entry)
-        return self._constraints[scope]
-
-    def _overdetermined(self, plan: Plan) -> None:
-        """A variable of an overdetermined type is one node, together with the dimensions of the type."""
-        function = self._constraint_of(plan.type)
-        if plan.declaration.dimensions is not None or plan.clause.dimensions is not None:
-            raise unsupported_overdetermined(plan.path, plan.declaration.span)
-        assert function is not None
-        self.overdetermined[plan.path] = function
 
     def _element(
         self, plan: Plan, simple: SimpleType | None, path: str, modifier: Modifier, instance: Instance
@@ -389,12 +387,12 @@ class Instantiator:
             modifier = merge(modifier, bound(scope.below, parent), path)
         check_targets(scope, modifier)
         if scope.kind == "record":
-            constraint = self._constraint_of(scope)
-            if constraint is not None:
-                self.overdetermined[path] = constraint
+            self._overdetermined.note(scope, path)
         modifier = spread_record(modifier, scope)
         prefixes = inherit_kind(plan.prefixes, scope)
         description = plan.declaration.comment.text or ""
         if path.count(".") > MAX_DEPTH:
             raise too_deep(parent, MAX_DEPTH)
-        return Instance(path, scope, parent, prefixes, plan.declaration.span, description, modifier)
+        made = Instance(path, scope, parent, prefixes, plan.declaration.span, description, modifier)
+        self.has_expandable = self.has_expandable or made.is_expandable
+        return made

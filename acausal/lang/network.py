@@ -12,6 +12,7 @@ from acausal.errors import Span
 from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.connection_nodes import connector_side
+from acausal.lang.expandable import Expansion, expand
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.links import Link, links_of
 from acausal.lang.scope import Scope
@@ -33,6 +34,7 @@ class Network:
         self._graph: VirtualGraph | None = None
         self._counts: dict[str, int] | None = None
         self._busy = False
+        self.expansion = Expansion()
         self._has_streams = has_streams
         self._flows: dict[str, Leaf] | None = None
         self.asked: dict[str, None] = {}
@@ -48,6 +50,10 @@ class Network:
             self._links = links_of(self._translation, self._root)
             self._busy = False
         return self._links
+
+    def expand(self, span: Span) -> None:
+        """Elaborate the expandable connectors."""
+        self.expansion = expand(self._translation, self._root, self.links(span))
 
     def graph(self, span: Span) -> VirtualGraph:
         """The spanning trees of overconstrained connections."""

@@ -85,6 +85,15 @@ def protected(scope: Scope, part: ast.NamePart, path: str) -> AcausalError:
 
 def absent(member: Absent, span: Span) -> AcausalError:
     """The error for a conditional component that is not there, used outside `connect` (4.4.5)."""
+    if member.potential:
+        return fail(
+            TypeProblem,
+            "expandable.not-present",
+            f"`{member.path}` is declared in an expandable connector, but no connection makes it present",
+            span,
+            names=[member.path],
+            hint="connect it to something that gives it a value",
+        )
     return fail(
         TypeProblem,
         "lookup.absent",

@@ -160,16 +160,25 @@ def select(
     """Follow the rest of a reference from the member its first part names."""
     selection = _subscript_members(translation, Selection((member,), (), None, constant), parts[0], env)
     for part in parts[1:]:
-        members = tuple([_part_of(translation, current, part) for current in selection.members])
-        inner = Selection(members, selection.shape, None, constant)
-        selection = _subscript_members(translation, inner, part, env)
+        selection = select_part_of(translation, selection, part, env)
     return selection
 
 
-def _part_of(translation: Translation, current: Member, part: ast.NamePart) -> Member:
+def select_part_of(translation: Translation, selection: Selection, part: ast.NamePart, env: Env) -> Selection:
+    """One step further: a part of every member, with its subscripts."""
+    members = tuple([_part_of(translation, current, part, env) for current in selection.members])
+    inner = Selection(members, selection.shape, None, selection.constant)
+    return _subscript_members(translation, inner, part, env)
+
+
+def _part_of(translation: Translation, current: Member, part: ast.NamePart, env: Env) -> Member:
     if isinstance(current, Instance):
         entry = current.scope.table.components.get(part.name)
         found = None if entry is None else translation.instances.member(current, part.name)
+        if entry is None and env.connecting:
+            added = current.members.get(part.name)
+            if added is not None and not isinstance(added, Outer):
+                return added
         if found is None or entry is None:
             raise no_component(current, part)
         if entry.protected:

@@ -78,6 +78,8 @@ class Translator:
     def start(self, root: Instance) -> Network:
         """The model is complete: from now on its connections can be asked for."""
         self._network = Network(self, root, self.instances.overdetermined, self.instances.has_streams)
+        if self.instances.has_expandable:
+            self._network.expand(root.span)
         return self._network
 
     def network(self, span: Span) -> Network:

@@ -40,13 +40,15 @@ class Env:
     """Values that variables have at this point of an algorithm section."""
     at_event: bool = False
     """In a when-clause or an initial section, where every variable is discrete."""
+    connecting: bool = False
+    """In `connect`, which may name what only connections declare (9.1.3)."""
 
     def with_locals(self, more: Mapping[str, AnyValue]) -> Env:
         locals_ = {**self.locals, **more}
-        return Env(self.context, locals_, self.size, self.depth, self.current, self.at_event)
+        return Env(self.context, locals_, self.size, self.depth, self.current, self.at_event, self.connecting)
 
     def with_size(self, size: Value) -> Env:
-        return Env(self.context, self.locals, size, self.depth, self.current, self.at_event)
+        return Env(self.context, self.locals, size, self.depth, self.current, self.at_event, self.connecting)
 
     def with_event(self) -> Env:
         """The same place at an event."""
@@ -55,6 +57,12 @@ class Env:
     def without_current(self) -> Env:
         """The same place before the algorithm section began."""
         return Env(self.context, self.locals, self.size, self.depth, {}, self.at_event)
+
+    def with_connecting(self) -> Env:
+        """The same place inside `connect`."""
+        return Env(
+            self.context, self.locals, self.size, self.depth, self.current, self.at_event, connecting=True
+        )
 
 
 class Instances(Protocol):

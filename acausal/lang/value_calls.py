@@ -30,7 +30,9 @@ def call_with(
         (),
         span,
     )
-    return translation.call(function, call, Env(env.context, local, None, env.depth))[0]
+    return translation.call(function, call, Env(env.context, local, None, env.depth, at_event=env.at_event))[
+        0
+    ]
 
 
 def reference(name: str, span: Span) -> ast.ComponentReference:

@@ -1,0 +1,91 @@
+"""Which variables of expandable connectors are inputs, which outputs: what feeds them decides (9.1.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from acausal.lang import ast
+from acausal.lang.connecting import add_connection
+from acausal.lang.connections import ConnectionSets, Node
+from acausal.lang.expandable_copies import is_signal, with_causality_of
+from acausal.lang.flat import Causality
+from acausal.lang.instance import Array, Instance, Leaf, Member
+from acausal.lang.links import Link, components
+from acausal.lang.translation import Translation
+
+
+def infer_causality(
+    translation: Translation, root: Instance, links: Sequence[Link], inside: dict[str, None]
+) -> None:
+    """Give the signals in expandable connectors their causality, from the inside of components outwards."""
+    sets = ConnectionSets(in_buses=inside)
+    for link in links:
+        if isinstance(link.node, ast.ConnectEquation):
+            add_connection(translation, sets, link.node, link.env)
+    buses = [instance for instance in components(root) if instance.is_expandable]
+    unknown = {leaf.path: leaf for bus in buses for leaf in _signals(bus) if is_signal(leaf)}
+    work = _Inference(sets, dict.fromkeys(unknown))
+    work.run()
+    for bus in buses:
+        for name, member in list(bus.members.items()):
+            if isinstance(member, (Leaf, Array)):
+                bus.members[name] = _changed(member, work.found)
+
+
+def _signals(bus: Instance) -> list[Leaf]:
+    found: list[Leaf] = []
+    for member in bus.members.values():
+        items = member.items if isinstance(member, Array) else (member,)
+        found += [item for item in items if isinstance(item, Leaf)]
+    return found
+
+
+def _changed(member: Member, found: dict[str, Causality]) -> Member:
+    if isinstance(member, Array):
+        items = tuple([_changed(item, found) for item in member.items])
+        return Array(member.path, member.shape, items, member.type, member.span)
+    if isinstance(member, Leaf) and is_signal(member):
+        return with_causality_of(member, found.get(member.path, Causality.LOCAL))
+    return member
+
+
+@dataclass(slots=True)
+class _Inference:
+    sets: ConnectionSets
+    unknown: dict[str, None]
+    found: dict[str, Causality] = field(default_factory=dict[str, Causality])
+
+    def run(self) -> None:
+        groups: dict[Node, list[Node]] = {}
+        for node in self.sets.place:
+            groups.setdefault(self.sets.find(node), []).append(node)
+        changed = True
+        while changed:
+            changed = self.decide_all(list(groups.values()))
+
+    def decide_all(self, groups: Sequence[Sequence[Node]]) -> bool:
+        """One round over all connection sets."""
+        return sum(self.decide(group) for group in groups) > 0
+
+    def causality(self, path: str) -> Causality:
+        return self.found.get(path, self.sets.leaf[path].prefixes.causality)
+
+    def decide(self, group: Sequence[Node]) -> bool:
+        """Whether something new was found in one connection set."""
+        open_ = [p for p, inside in group if not inside and p in self.unknown and p not in self.found]
+        if not open_:
+            return False
+        inner = [path for path, inside in group if inside]
+        outer = [p for p, inside in group if not inside and p not in self.unknown]
+        fed = any(self.causality(p) is Causality.OUTPUT for p in inner)
+        fed = fed or any(self.causality(p) is Causality.INPUT and p not in self.sets.hidden for p in outer)
+        if fed:
+            self.found |= dict.fromkeys(open_, Causality.OUTPUT)
+            return True
+        used = any(self.causality(p) is Causality.INPUT for p in inner)
+        used = used or any(self.causality(p) is Causality.OUTPUT for p in outer)
+        if len(open_) == 1 and used and all(self.causality(p) is not Causality.LOCAL for p in inner):
+            self.found[open_[0]] = Causality.INPUT
+            return True
+        return False
