@@ -66,7 +66,7 @@ def _log10(args: list[SX]) -> SX:
 
 
 def _first(args: list[SX]) -> SX:
-    """`homotopy(actual, simplified)` once it has come to its end."""
+    """What is only its first argument: `homotopy(actual, simplified)` at its end, the number of a literal."""
     return args[0]
 
 
@@ -129,6 +129,7 @@ CONSTRUCTORS: dict[str, _Build] = {
     "mod": _mod,
     "rem": _rem,
     "homotopy": _first,
+    "ordinal": _first,
 }
 """SX constructor of every operator that is a function of its arguments' values."""
 

@@ -14,12 +14,13 @@ from acausal.lang import ast
 from acausal.lang.algorithm_targets import is_discrete, targets_in, whole_variables
 from acausal.lang.arithmetic import as_scalar, type_error
 from acausal.lang.flat import REAL, Equation, Origin, Termination, Variability
-from acausal.lang.function_frame import Frame, zero_of
+from acausal.lang.function_frame import Frame
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.modifiers import Context
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
+from acausal.lang.values import zero_of
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 

@@ -21,7 +21,6 @@ from acausal.lang.values import (
     zip_with,
 )
 from acausal.symbolic.expressions import expr as ex
-from acausal.symbolic.expressions.expr import Expr
 
 LARGEST = 1.7976931348623157e308
 LARGEST_INTEGER = 2_147_483_647
@@ -117,11 +116,7 @@ def _to_integer(args: Sequence[AnyValue], span: Span) -> Value:
         raise type_error(
             "type.mismatch", f"`Integer` converts enumerations, not {describe(a)}", span, "use `integer`"
         )
-    return elementwise(_enumeration_number, a, INTEGER)
-
-
-def _enumeration_number(item: Expr) -> Expr:
-    return ex.const(int(item.number)) if item.is_const else item
+    return elementwise(ex.ordinal, a, INTEGER)
 
 
 def _ndims(args: Sequence[AnyValue], span: Span) -> Value:

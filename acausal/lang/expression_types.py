@@ -137,6 +137,14 @@ def _to_integer(node: Expr, args: list[Kind]) -> Kind:
     return _discrete(INTEGER, args)
 
 
+def _ordinal(node: Expr, args: list[Kind]) -> Kind:
+    """`Integer(e)` of an enumeration."""
+    if not args[0].type.is_enumeration:
+        message = f"Integer needs an enumeration, but {short_text(node.args[0])} is {article(args[0].type)}"
+        raise TypeMistake("type.operand", message, node)
+    return _join(INTEGER, args)
+
+
 def _sign(node: Expr, args: list[Kind]) -> Kind:
     """Like `noEvent(if x > 0 ...)` (3.7.1): no event, hence not discrete."""
     _numeric(node, args)
@@ -306,6 +314,7 @@ _RULES: dict[str, _Rule] = {
     "add": _sum,
     "sign": _sign,
     "integer": _to_integer,
+    "ordinal": _ordinal,
     "idiv": _quotient,
     **dict.fromkeys(("neg", "mul", "abs", "mod", "rem"), _promote),
     **dict.fromkeys(("and", "or", "not"), _logical),

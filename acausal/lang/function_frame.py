@@ -11,7 +11,7 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.assertions import guard_assertions
 from acausal.lang.class_table import ComponentEntry
-from acausal.lang.flat import ScalarType, Termination
+from acausal.lang.flat import Termination
 from acausal.lang.instance import Instance
 from acausal.lang.modifiers import Context
 from acausal.lang.naming import references_in
@@ -19,7 +19,7 @@ from acausal.lang.parameter_errors import too_many_steps
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
+from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe, zero_of
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
@@ -203,14 +203,6 @@ def _given_fields(frame: Frame, entry: ComponentEntry) -> dict[str, AnyValue]:
         for name, child in children.items()
         if child.binding is not None
     }
-
-
-def zero_of(type_: ScalarType) -> Expr:
-    """The default of the attribute `start` (4.9)."""
-    if type_.is_enumeration:
-        return ex.const(ex.EnumValue(type_.name, type_.literals[0], 1))
-    zeros = {"Boolean": ex.FALSE, "Integer": ex.const(0), "String": ex.const("")}
-    return zeros.get(type_.name, ex.ZERO)
 
 
 def declared_rank(translation: Translation, entry: ComponentEntry) -> int:

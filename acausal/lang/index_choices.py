@@ -17,7 +17,7 @@ from acausal.lang.assertions import add_assertion
 from acausal.lang.flat import BOOLEAN, INTEGER, Assertion, ScalarType
 from acausal.lang.light import light_object
 from acausal.lang.translation import Translation
-from acausal.lang.values import AnyValue
+from acausal.lang.values import AnyValue, Value, zero_of
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import EnumValue, Expr
 
@@ -73,15 +73,31 @@ def with_index(reference: ast.ComponentReference, choice: Choice, k: int) -> ast
     return replace(reference, parts=tuple([_part(part, choice, k) for part in reference.parts]))
 
 
-def _part(part: ast.NamePart, choice: Choice, k: int) -> ast.NamePart:
+def with_colon(reference: ast.ComponentReference, choice: Choice) -> ast.ComponentReference:
+    """The reference with the varying subscript replaced by `:`."""
+    return replace(reference, parts=tuple([_part(part, choice, None) for part in reference.parts]))
+
+
+def element_of_nothing(translation: Translation, value: AnyValue, choice: Choice) -> AnyValue:
+    """`x[i]` of an `x` without elements: never to be reached, which is asserted; it only needs a type."""
+    if not isinstance(value, Value) or len(value.shape) != 1:
+        message = f"`{choice.path}` has no elements"
+        raise fail(TypeProblem, "type.index-out-of-range", message, choice.node.span, names=[choice.path])
+    text = ex.const(f"{choice.path} has no elements")
+    add_assertion(translation.assertions, Assertion(ex.FALSE, text, "error", choice.node.span), ex.TRUE)
+    return Value(value.type, (), (zero_of(value.type),))
+
+
+def _part(part: ast.NamePart, choice: Choice, k: int | None) -> ast.NamePart:
     if part.subscripts is None:
         return part
     return replace(part, subscripts=with_chosen(part.subscripts, choice, k))
 
 
-def with_chosen(subscripts: ast.Subscripts, choice: Choice, k: int) -> ast.Subscripts:
-    """The subscripts with the varying one replaced by `k`."""
-    number = ast.IntegerLiteral(k, choice.node.span)
+def with_chosen(subscripts: ast.Subscripts, choice: Choice, k: int | None) -> ast.Subscripts:
+    """The subscripts with the varying one replaced by `k`, or by `:`."""
+    at = choice.node.span
+    number = ast.Colon(at) if k is None else ast.IntegerLiteral(k, at)
     items = tuple([number if item is choice.node else item for item in subscripts.items])
     return replace(subscripts, items=items)
 
@@ -101,10 +117,7 @@ def chosen(choice: Choice, values: Sequence[AnyValue], span: Span) -> AnyValue:
 
 
 def check_size(choice: Choice) -> None:
-    """Raise where there is nothing to choose from, or too much."""
-    if choice.size == 0:
-        message = f"`{choice.path}` has no elements"
-        raise fail(TypeProblem, "type.index-out-of-range", message, choice.node.span, names=[choice.path])
+    """Raise where there is too much to choose from."""
     if choice.size > MOST_CHOICES:
         message = f"a subscript that varies cannot choose from the {choice.size} elements of `{choice.path}`"
         hint = f"the most is {MOST_CHOICES}"

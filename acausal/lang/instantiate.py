@@ -160,7 +160,7 @@ class Instantiator:
             try:
                 found = self._build(entry, instance)
             finally:
-                del self._building[key]
+                self._building.pop(key, None)  # an added `inner` component of this name took it out
             instance.members[name] = found
         return found.target if isinstance(found, Outer) else found
 

@@ -76,11 +76,27 @@ def resolve(translation: Translation, node: ast.ComponentReference, env: Env) ->
     if instance is not None and not node.global_ and first.name in scope.table.components:
         member = translation.instances.member(instance, first.name)
         if member is not None:
-            return select(translation, member, node.parts, env, constant=instance.constants)
+            found = select(translation, member, node.parts, env, constant=instance.constants)
+            return found if found.members else _typed(translation, found, instance.scope, node.parts)
     found = scope.root.top(first.name) if node.global_ else scope.find(first.name)
     if found is None:
         raise unknown_name(first.name, scope, first.span)
     return _from_found(translation, found, node, env)
+
+
+def _typed(
+    translation: Translation, nothing: Selection, scope: Scope, parts: Sequence[ast.NamePart]
+) -> Selection:
+    """A selection without members with the type that they would have: `ports.v` of no ports at all."""
+    if nothing.type is not None:
+        return nothing
+    for part in parts:
+        entry = scope.table.components.get(part.name)
+        if entry is None:
+            return nothing
+        scope = entry.scope.find_class(entry.clause.type)
+    simple = translation.instances.simple_type(scope)
+    return nothing if simple is None else Selection((), nothing.shape, simple.scalar, nothing.constant)
 
 
 def _from_found(

@@ -30,7 +30,7 @@ from acausal.lang.values import describe
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import FALSE, Expr
 
-MOST_UNCERTAIN = 500
+MOST_UNCERTAIN = 200
 """Repetitions of a loop that may have been left before, which only the run time knows."""
 _BranchNode = tuple[ast.Expression, tuple[ast.Statement, ...]]
 
@@ -230,17 +230,46 @@ def _next(frame: Frame, flow: Flow, run: Callable[[], Flow], span: Span) -> Flow
 
 
 def _while(frame: Frame, statement: ast.WhileStatement) -> Flow:
-    flow = STAYS
-    while not flow.certain:
+    return Flow(_rounds(frame, statement, 0).returned)
+
+
+def _rounds(frame: Frame, statement: ast.WhileStatement, uncertain: int) -> Flow:
+    """A `while` from here on, `uncertain` rounds of which happen only if the run time says so.
+
+    `while c loop B` is `if c then B; while c loop B`, where B has made `c` known to be false in the end.
+    """
+    while True:
         frame.count_step(statement.span)
-        condition = frame.value(statement.condition)
-        test = frame.translation.decide(as_boolean(condition, statement.condition.span))
-        if test is None:
-            raise _run_time_loop(frame, statement.condition.span)
-        if not test:
-            break
-        flow = _next(frame, flow, lambda: _statements(frame, statement.body), statement.span)
-    return Flow(flow.returned)
+        test = as_boolean(frame.value(statement.condition), statement.condition.span)
+        known = frame.translation.decide(test)
+        if known is None:
+            if uncertain >= MOST_UNCERTAIN:
+                raise _run_time_loop(frame, statement.condition.span)
+            span = statement.condition.span
+            return _both(frame, test, lambda: _round(frame, statement, uncertain + 1), lambda: STAYS, span)
+        if not known:
+            return STAYS
+        flow = _statements(frame, statement.body)
+        if flow is not STAYS:
+            return _again(frame, statement, flow, uncertain + 1)
+
+
+def _round(frame: Frame, statement: ast.WhileStatement, uncertain: int) -> Flow:
+    """The body, and what follows."""
+    return _again(frame, statement, _statements(frame, statement.body), uncertain)
+
+
+def _again(frame: Frame, statement: ast.WhileStatement, flow: Flow, uncertain: int) -> Flow:
+    """The rounds after one from which control may have left the loop."""
+    if flow is STAYS:
+        return _rounds(frame, statement, uncertain)
+    if flow.certain:
+        return flow
+    if uncertain >= MOST_UNCERTAIN:
+        raise _run_time_loop(frame, statement.span)
+    stays = ex.logical_not(flow.left)
+    rest = only_where(frame, stays, lambda: _rounds(frame, statement, uncertain), statement.span)
+    return then(flow, rest)
 
 
 def _run_time_loop(frame: Frame, span: Span) -> AcausalError:
@@ -250,5 +279,5 @@ def _run_time_loop(frame: Frame, span: Span) -> AcausalError:
         f"`{frame.scope.path}` has a loop whose number of repetitions is known at run time only",
         span,
         names=[frame.scope.path],
-        hint="write `for i in 1:n loop` with a fixed n, and `if condition then break; end if;` inside",
+        hint=f"let something known at compile time end it after {MOST_UNCERTAIN} repetitions at most",
     )

@@ -9,7 +9,15 @@ from acausal.errors import TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.flat import BOOLEAN, INTEGER
-from acausal.lang.index_choices import Choice, VariableIndex, check_size, chosen, variable_index, with_chosen
+from acausal.lang.index_choices import (
+    Choice,
+    VariableIndex,
+    check_size,
+    chosen,
+    element_of_nothing,
+    variable_index,
+    with_chosen,
+)
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, literal, subscript
 from acausal.symbolic.expressions import expr as ex
@@ -70,6 +78,9 @@ def subscripted(
         choice = varying.choice
         if choice is None or not any(item is choice.node for item in subscripts.items):
             raise
+    if choice.size == 0:
+        without = _subscripted(translation, value, with_chosen(subscripts, choice, None), env, path)
+        return element_of_nothing(translation, without, choice)
     check_size(choice)
     values = [
         subscripted(translation, value, with_chosen(subscripts, choice, k), env, path)

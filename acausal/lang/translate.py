@@ -19,11 +19,21 @@ from acausal.lang.array_functions import Builtin
 from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
 from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.connection_calls import CONNECTION_CALLS
+from acausal.lang.enumeration_calls import literal_of
 from acausal.lang.flat import INTEGER, REAL, Assertion, Variability
 from acausal.lang.formals import Formal
 from acausal.lang.function_lookup import function_scope
 from acausal.lang.functions import call_function, construct_record
-from acausal.lang.index_choices import Choice, VariableIndex, check_size, chosen, holds, with_index
+from acausal.lang.index_choices import (
+    Choice,
+    VariableIndex,
+    check_size,
+    chosen,
+    element_of_nothing,
+    holds,
+    with_colon,
+    with_index,
+)
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
@@ -292,6 +302,8 @@ class Translator:
 
     def _chosen(self, node: ast.ComponentReference, choice: Choice, env: Env) -> AnyValue:
         """The value of a reference with a subscript that varies at run time."""
+        if choice.size == 0:
+            return element_of_nothing(self, self._reference(with_colon(node, choice), env), choice)
         check_size(choice)
         values = [self._reference(with_index(node, choice, k), env) for k in range(1, choice.size + 1)]
         choice.check(self, ex.TRUE)
@@ -361,6 +373,9 @@ class Translator:
         if scope.kind == "record":
             constructed = construct(self, scope, node, env)
             return construct_record(self, scope, node, env) if constructed is None else constructed
+        literal_value = literal_of(self, scope, node, env)
+        if literal_value is not None:
+            return literal_value
         results = self.results(node, env)
         if not results:
             message = f"`{scope.path}` has no output"

@@ -220,7 +220,7 @@ _ARGUMENT_IS_NUMBER = frozenset("sin cos tan asin acos atan sinh cosh tanh exp l
 _OTHER: dict[str, Callable[[Expr, list[Measure]], Measure]] = {
     **dict.fromkeys(("neg", "abs", "pre", "noEvent", "smooth", "delay", "derived"), _same),
     **dict.fromkeys(("floor", "ceil", "mod", "rem"), _doubtful),
-    **dict.fromkeys(("sign", "integer", "idiv"), _number),
+    **dict.fromkeys(("sign", "integer", "ordinal", "idiv"), _number),
     "der": _derivative,
     "sqrt": _root,
     "pow": _general_power,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
 from acausal.lang.light import light_object
-from acausal.symbolic.expressions.expr import EnumValue, Expr, const
+from acausal.symbolic.expressions.expr import FALSE, ZERO, EnumValue, Expr, const
 
 if TYPE_CHECKING:  # a record knows its class, the modifiers of classes hold values
     from acausal.lang.scope import Scope
@@ -82,6 +82,14 @@ def literal(value: float | int | bool | str) -> Value:
 def enumeration_literal(type_: ScalarType, index: int) -> Value:
     """Literal number `index` (from 1) of an enumeration type."""
     return Value(type_, (), (const(EnumValue(type_.name, type_.literals[index - 1], index)),))
+
+
+def zero_of(type_: ScalarType) -> Expr:
+    """The default of the attribute `start` (4.9)."""
+    if type_.is_enumeration:
+        return const(EnumValue(type_.name, type_.literals[0], 1))
+    zeros = {"Boolean": FALSE, "Integer": const(0), "String": const("")}
+    return zeros.get(type_.name, ZERO)
 
 
 def describe(value: AnyValue) -> str:

@@ -204,6 +204,11 @@ def sample(start: Expr, interval: Expr) -> Expr:
     return make("sample", (start, interval))
 
 
+def ordinal(a: Expr) -> Expr:
+    """`Integer(a)`: the number of an enumeration's literal, from 1."""
+    return const(a.value.index) if isinstance(a.value, EnumValue) else make("ordinal", (a,))
+
+
 def trigger(a: Expr) -> Expr:
     """The `when`-condition `a` fires: `a and not pre(a)`; `initial()` during initialisation (8.3.5)."""
     return a if a is FALSE or a.op == "initial" else make("trigger", (a,))
@@ -284,6 +289,7 @@ _REBUILD: dict[str, Callable[..., Expr]] = {
     "or": logical_or,
     "if": if_then_else,
     "noEvent": no_event,
+    "ordinal": ordinal,
     "trigger": trigger,
     "delay": delay,
     "homotopy": homotopy,

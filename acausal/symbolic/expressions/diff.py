@@ -169,7 +169,7 @@ RULES: dict[str, Rule] = {
     "sym": _zero,  # leaves are seeded by the caller
     "der": _zero,
     "pre": _zero,  # constant between events
-    **dict.fromkeys(("initial", "terminal", "sample", "trigger"), _zero),
+    **dict.fromkeys(("ordinal", "initial", "terminal", "sample", "trigger"), _zero),
     "delay": _zero,  # the past; it has no time derivative
     "homotopy": _homotopy,
     "noEvent": _no_event,

@@ -124,6 +124,7 @@ _TABLE = (
     Operator("pre", "wrap", 1, "pre", 100),
     Operator("noEvent", "wrap", 1, "noEvent", 100, _same),
     Operator("smooth", "wrap", 1, "smooth", 100, _same),
+    Operator("ordinal", "wrap", 1, "Integer", 100, _same),
     Operator("homotopy", "wrap", 2, "homotopy", 100, _actual),
     Operator("initial", "event", 0, "initial", 100),
     Operator("terminal", "event", 0, "terminal", 100),
