@@ -242,11 +242,14 @@ class Instantiator:
             scope,
         )
         key = (root, entry.name)
+        outer = self._building.pop(key, None)  # of the same name, declared at the top itself
         self._building[key] = []
         try:
             return self._shaped(plan, NO_MODIFIER, root, entry.name)
         finally:
             del self._building[key]
+            if outer is not None:
+                self._building[key] = outer
 
     def _outside(self, entry: ComponentEntry, instance: Instance, path: str) -> Modifier:
         """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""

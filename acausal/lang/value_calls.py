@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from acausal.errors import Span
 from acausal.lang import ast
+from acausal.lang.arithmetic import type_error
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue
@@ -30,9 +31,11 @@ def call_with(
         (),
         span,
     )
-    return translation.call(function, call, Env(env.context, local, None, env.depth, at_event=env.at_event))[
-        0
-    ]
+    around = Env(env.context, local, None, env.depth, at_event=env.at_event)
+    results = translation.call(function, call, around)
+    if not results:
+        raise type_error("function.no-result", f"`{function.path}` has no output", span, "", (function.path,))
+    return results[0]
 
 
 def reference(name: str, span: Span) -> ast.ComponentReference:
