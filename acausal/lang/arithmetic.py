@@ -22,6 +22,9 @@ from acausal.lang.values import (
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
+MAX_PRODUCTS = 1_000_000
+MAX_CHARACTERS = 1_000_000
+
 RELATIONS = {"<": "lt", "<=": "le", ">": "gt", ">=": "ge", "==": "eq", "<>": "ne"}
 
 
@@ -149,6 +152,9 @@ def _times(a: Value, b: Value, span: Span) -> Value:
     if left[-1] != right[0] or len(left) > 2 or len(right) > 2:
         raise _sizes("*", a, b, span, "use `.*` for the product element by element")
     inner, rows, columns = right[0], prod(left[:-1]), prod(right[1:])
+    if inner * rows * columns > MAX_PRODUCTS:
+        message = f"a product of matrices takes more than {MAX_PRODUCTS} multiplications"
+        raise type_error("array.bad-size", message, span)
     items = [
         dot([a.items[i * inner + k] for k in range(inner)], [b.items[k * columns + j] for k in range(inner)])
         for i in range(rows)
@@ -210,6 +216,8 @@ def _concatenate(a: Value, b: Value, span: Span) -> Value:
             "only strings known at compile time can be joined",
             span,
         )
+    if len(x) + len(y) > MAX_CHARACTERS:
+        raise type_error("string.too-long", f"a string has more than {MAX_CHARACTERS} characters", span)
     return scalar(STRING, ex.const(x + y))
 
 

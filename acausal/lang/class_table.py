@@ -86,6 +86,9 @@ class Base:
     span: Span
 
 
+MAX_SECTIONS = 20_000
+"""Equation and algorithm sections that a class may have, inherited ones included."""
+
 Section = ast.EquationSection | ast.AlgorithmSection
 
 
@@ -201,7 +204,16 @@ def _inherit(scope: Scope, table: Table, written: Base, protected: bool) -> None
         table.classes.setdefault(name, entry)
     table.hidden.update(inherited.classes if protected else inherited.hidden)
     table.sections += inherited.sections
+    if len(table.sections) > MAX_SECTIONS:
+        raise too_large(scope, MAX_SECTIONS, written.span)
     table.external = table.external or inherited.external
+
+
+def too_large(scope: Scope, most: int, span: Span) -> AcausalError:
+    """A class that inherits more sections than anybody writes, by inheriting the same ones many times."""
+    message = f"`{scope.path}` inherits more than {most} equation and algorithm sections"
+    hint = "does a class extend another one twice, and that one again?"
+    return fail(TypeProblem, "extends.too-large", message, span, names=[scope.path], hint=hint)
 
 
 def _add_inherited(

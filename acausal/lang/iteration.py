@@ -26,6 +26,7 @@ def _combinations(translation: Translation, iterators: Sequence[ast.Iterator], e
         yield env
         return
     for value in iterator_values(translation, iterators[0], env):
+        translation.count_work(10, iterators[0].span)
         yield from _combinations(translation, iterators[1:], env.with_locals({iterators[0].name: value}))
 
 

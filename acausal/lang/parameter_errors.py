@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acausal.errors import AcausalError, LookupProblem, Span, fail
+from acausal.errors import AcausalError, LookupProblem, Span, TypeProblem, fail
 from acausal.lang.arithmetic import type_error
 from acausal.lang.instance import Leaf
 from acausal.lang.modifiers import Binding, Selector
@@ -71,6 +71,17 @@ def too_deep_calls(function: str, most: int, span: Span) -> AcausalError:
         span,
         "a recursion must end by a condition that is known at compile time",
         (function,),
+    )
+
+
+def too_much_work(most: int, span: Span) -> AcausalError:
+    """The error for a model whose loops and arrays come to more than can be compiled in a sensible time."""
+    return fail(
+        TypeProblem,
+        "model.too-much-work",
+        f"the loops and arrays of this model come to more than {most} elements; here the last of them",
+        span,
+        hint="are the sizes and ranges meant as they are?",
     )
 
 

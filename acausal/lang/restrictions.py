@@ -269,11 +269,22 @@ def check_combination(scope: Scope, table: Table) -> None:
 
 def _is_closed(scope: Scope) -> bool:
     """A simple type, an array class, a class with a prefix, or what extends one."""
-    definition = scope.definition
-    if scope.is_predefined:
-        return definition.kind == "type"
-    if isinstance(definition, ast.EnumerationClass):
-        return True
-    if isinstance(definition, ast.ShortClass) and (definition.causality or definition.dimensions is not None):
-        return True
-    return any(_is_closed(base.scope) for base in scope.table.bases)
+    stack, seen = [scope], {scope}  # a class may be inherited by many ways
+    while stack:
+        current = stack.pop()
+        if current.is_predefined:
+            if current.definition.kind == "type":
+                return True
+        elif _is_closed_itself(current.definition):
+            return True
+        else:
+            new = [base.scope for base in current.table.bases if base.scope not in seen]
+            seen.update(new)
+            stack += new
+    return False
+
+
+def _is_closed_itself(definition: ast.ClassDefinition) -> bool:
+    if isinstance(definition, ast.ShortClass):
+        return bool(definition.causality) or definition.dimensions is not None
+    return isinstance(definition, ast.EnumerationClass)

@@ -48,6 +48,7 @@ from acausal.lang.parameter_errors import (
     not_constant,
     too_deep_calls,
     too_many_steps,
+    too_much_work,
 )
 from acausal.lang.record_arrays import REARRANGING, rearranged
 from acausal.lang.references import current_value, member_value, refuse_conditional, resolve
@@ -64,6 +65,8 @@ from acausal.symbolic.expressions.text import to_text
 MAX_CALL_DEPTH = 60
 MAX_STEPS = 50_000
 """Statements that one call of a function may run."""
+MAX_WORK = 10_000_000
+"""Elements of arrays that are computed, and ten for each turn of a loop, in one compilation."""
 
 
 class Translator:
@@ -83,6 +86,7 @@ class Translator:
         self._constants: dict[Leaf, Constant] = {}
         self._busy: dict[Leaf, None] = {}
         self._steps = 0
+        self._work = 0
         self._hidden: dict[tuple[Scope, str], bool] = {}
 
     def start(self, root: Instance) -> Network:
@@ -112,6 +116,12 @@ class Translator:
         self._steps += 1
         if self._steps > MAX_STEPS:
             raise too_many_steps(function, MAX_STEPS, span)
+
+    def count_work(self, amount: int, span: Span) -> None:
+        """Count what loops and arrays make of the model's text. Raises `model.too-much-work`."""
+        self._work += amount
+        if self._work > MAX_WORK:
+            raise too_much_work(MAX_WORK, span)
 
     # ------------------------------------------------------------------ compile-time values
 
@@ -245,7 +255,10 @@ class Translator:
         if isinstance(node, ast.ComponentReference):
             return self._reference(node, env)
         if isinstance(node, ast.Binary):
-            return binary_value(self, node, env)
+            result = binary_value(self, node, env)
+            if isinstance(result, Value) and result.shape:
+                self.count_work(len(result.items), node.span)
+            return result
         if isinstance(node, (ast.RealLiteral, ast.IntegerLiteral, ast.BooleanLiteral, ast.StringLiteral)):
             return literal(node.value)
         if isinstance(node, ast.Unary):
@@ -254,7 +267,10 @@ class Translator:
                 return unary_record(self, node.operator, operand, node.span, env)
             return unary(node.operator, operand, node.span)
         if isinstance(node, ast.Call):
-            return self._call(node, env)
+            result = self._call(node, env)
+            if isinstance(result, Value) and result.shape:
+                self.count_work(len(result.items), node.span)
+            return result
         if isinstance(node, ast.If):
             return if_value(self, node, env)
         return self._other(node, env)

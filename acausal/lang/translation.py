@@ -171,6 +171,10 @@ class Translation(Protocol):
         """Remember a scalar that an expression names."""
         ...
 
+    def count_work(self, amount: int, span: Span) -> None:
+        """Count what a loop or an array adds to the model. Raises when it is too much."""
+        ...
+
     def count_step(self, function: str, span: Span) -> None:
         """Count a statement run at compile time. Raises when there are too many."""
         ...
