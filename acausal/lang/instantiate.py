@@ -241,15 +241,12 @@ class Instantiator:
             Prefixes(),
             scope,
         )
-        key = (root, entry.name)
-        outer = self._building.pop(key, None)  # of the same name, declared at the top itself
-        self._building[key] = []
+        before = self._building  # may have it as an `outer` one, declared at the top itself
+        self._building = before | {(root, entry.name): []}
         try:
             return self._shaped(plan, NO_MODIFIER, root, entry.name)
         finally:
-            del self._building[key]
-            if outer is not None:
-                self._building[key] = outer
+            self._building = before
 
     def _outside(self, entry: ComponentEntry, instance: Instance, path: str) -> Modifier:
         """Modifiers from outside the declaring class: the component's own, then those of extends clauses."""
