@@ -47,8 +47,6 @@ from acausal.lang.parameter_errors import (
     no_value,
     not_constant,
     too_deep_calls,
-    too_many_steps,
-    too_much_work,
 )
 from acausal.lang.record_arrays import REARRANGING, rearranged
 from acausal.lang.references import current_value, member_value, refuse_conditional, resolve
@@ -57,22 +55,20 @@ from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import subscripted
 from acausal.lang.translation import Env
 from acausal.lang.values import AnyValue, Value, describe, first_size, literal, scalar, select_part
+from acausal.lang.work import Budget
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr
 from acausal.symbolic.expressions.text import to_text
 
 MAX_CALL_DEPTH = 60
-MAX_STEPS = 50_000
-"""Statements that one call of a function may run."""
-MAX_WORK = 10_000_000
-"""Elements of arrays that are computed, and ten for each turn of a loop, in one compilation."""
 
 
-class Translator:
+class Translator(Budget):
     """See the module's text. One per compilation."""
 
     def __init__(self, root: Root) -> None:
+        super().__init__()
         self.root = root
         self.warnings: list[Diagnostic] = []
         self.instances = Instantiator(self)
@@ -85,8 +81,6 @@ class Translator:
         self._values: dict[str, Constant] = {}
         self._constants: dict[Leaf, Constant] = {}
         self._busy: dict[Leaf, None] = {}
-        self._steps = 0
-        self._work = 0
         self._hidden: dict[tuple[Scope, str], bool] = {}
 
     def start(self, root: Instance) -> Network:
@@ -110,18 +104,6 @@ class Translator:
     def note(self, leaf: Leaf) -> None:
         """Remember a scalar that an expression names, for `parameter_value`."""
         self.leaves.setdefault(leaf.path, leaf)
-
-    def count_step(self, function: str, span: Span) -> None:
-        """Count a statement of a function. Raises `function.too-long`."""
-        self._steps += 1
-        if self._steps > MAX_STEPS:
-            raise too_many_steps(function, MAX_STEPS, span)
-
-    def count_work(self, amount: int, span: Span) -> None:
-        """Count what loops and arrays make of the model's text. Raises `model.too-much-work`."""
-        self._work += amount
-        if self._work > MAX_WORK:
-            raise too_much_work(MAX_WORK, span)
 
     # ------------------------------------------------------------------ compile-time values
 
@@ -255,10 +237,7 @@ class Translator:
         if isinstance(node, ast.ComponentReference):
             return self._reference(node, env)
         if isinstance(node, ast.Binary):
-            result = binary_value(self, node, env)
-            if isinstance(result, Value) and result.shape:
-                self.count_work(len(result.items), node.span)
-            return result
+            return self.counted(binary_value(self, node, env), node.span)
         if isinstance(node, (ast.RealLiteral, ast.IntegerLiteral, ast.BooleanLiteral, ast.StringLiteral)):
             return literal(node.value)
         if isinstance(node, ast.Unary):
@@ -267,10 +246,7 @@ class Translator:
                 return unary_record(self, node.operator, operand, node.span, env)
             return unary(node.operator, operand, node.span)
         if isinstance(node, ast.Call):
-            result = self._call(node, env)
-            if isinstance(result, Value) and result.shape:
-                self.count_work(len(result.items), node.span)
-            return result
+            return self.counted(self._call(node, env), node.span)
         if isinstance(node, ast.If):
             return if_value(self, node, env)
         return self._other(node, env)
@@ -407,7 +383,7 @@ class Translator:
         if env.depth > MAX_CALL_DEPTH:
             raise too_deep_calls(node.function.text, MAX_CALL_DEPTH, node.span)
         if env.depth == 0:
-            self._steps = 0
+            self.steps = 0
         return call_function(self, scope, node, env)
 
 
