@@ -64,9 +64,9 @@ class Instant:
 def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
     """The values that the relations have now, or a moment later where their root is zero.
 
-    What is not lost clearly enough for an integrator to stop there (`Evaluator.hold`) keeps its mode. Zero,
-    whatever rounding says, are the located roots as long as they have their values. The evaluator is settled
-    at the instant. Raises `SimulationProblem` where a side is not a number.
+    Zero, whatever rounding says, are the located roots as long as they have their values, and what rested
+    there (`Evaluator.hold`). The evaluator is settled at the instant. Raises `SimulationProblem` where a side
+    is not a number.
     """
     time, x, ahead = instant.time, instant.x, instant.ahead
     ops = operators(evaluator.code.system)
@@ -76,9 +76,9 @@ def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
     _check(evaluator, roots, time)
     wanted = literal_modes(ops, roots)
     located = instant.crossed & (np.abs(roots - instant.roots) <= BAND * sizes)
-    kept = (located & instant.anchored) | (evaluator.within(roots) & ~located & (roots != 0))
+    kept = located & instant.anchored
     wanted = np.where(kept, evaluator.m, wanted)
-    near = (located | (np.abs(roots) <= BAND * sizes)) & ~kept
+    near = (located | (np.abs(roots) <= BAND * sizes) | evaluator.within(roots)) & ~kept
     if not near.any():
         return wanted
     evaluator.at(time + ahead, x + ahead * evaluator.xdot)

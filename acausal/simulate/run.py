@@ -108,11 +108,15 @@ class _Loop:
         before = self._switched()
         evaluator.at(time, x)
         evaluator.settle()
-        self.recorder.add(time, x)
-        settling.remember()
-        if "initial" in settling.phases:
+        if "initial" in settling.phases:  # what holds during initialisation only is no part of the course
+            settling.remember()
             evaluator.d[settling.phases["initial"]] = 0.0
+            self._x = settling.settle(time, x)
+            before = self._switched()
+        self.recorder.add(time, self._x)
+        settling.remember()
         evaluator.d[settling.samples] = self._schedule.due(time)
+        x = self._x
         self._x = settling.settle(time, x)
         if not np.array_equal(before, self._switched()) or not np.array_equal(x, self._x):
             self.recorder.add(time, self._x)
