@@ -97,9 +97,17 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
         "model": result.system.flat.name,
         **{key: statistics[key] for key in _COSTS},
         **({"max_step_seconds": longest} if (longest := statistics["max_step_seconds"]) is not None else {}),
+        **_ending(result),
         "final": result.final(names),
         "result": None if run.output is None else str(run.output),
     }
+
+
+def _ending(result: Result) -> dict[str, object]:
+    """`terminated`, where the model ended the run."""
+    if result.ended is None:
+        return {}
+    return {"terminated": {"time": result.ended.time, "message": result.ended.message}}
 
 
 def print_run(result: Result, names: tuple[str, ...], run: Run) -> None:
@@ -121,6 +129,8 @@ def print_run(result: Result, names: tuple[str, ...], run: Run) -> None:
         f"{cost.jacobian_evaluations} Jacobians, {cost.events} events{changes}\n"
         f"{cost.cpu_seconds:.3g} s of CPU time, {cost.real_time_factor:.3g} times real time"
     )
+    if result.ended is not None:
+        print_text(f"ended by the model at {result.ended.time:g} s: {result.ended.message}")
     for file in (run.output, run.plot):
         if file is not None:
             print_text(f"wrote {file}")

@@ -49,6 +49,10 @@ def explanation_data(explanation: Explanation) -> Object:
         "zero_crossings": [
             {"relation": to_text(crossing.relation), **spot(crossing.span)} for crossing in system.events
         ],
+        "discrete": [
+            {"variable": to_text(a.unknown), "value": to_text(a.value), **spot(a.equation.flat.span)}
+            for a in system.discrete.assignments
+        ],
         "warnings": [warning.to_json() for warning in explanation.warnings],
         "seconds": dict(explanation.seconds),
     }

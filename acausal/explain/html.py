@@ -71,6 +71,7 @@ def _tables(explanation: Explanation, paper: Paper) -> Iterator[str]:
         initial = _blocks(system.initial.blocks, "initial", paper, None)
         yield paper.folded("Initial system, in order", head[:-1], initial)
     yield paper.folded("Zero crossings", ("relation", "from"), rows(_crossings(explanation)))
+    yield paper.folded("At events", ("discrete value", "from"), rows(_discrete(explanation)))
 
 
 def _counts(explanation: Explanation) -> str:
@@ -175,6 +176,12 @@ def _starts(system: CausalSystem) -> Iterator[Sequence[str]]:
         yield code(value.name), code(to_text(value.value)), escape(use(value, system))
     for check in system.initial.checks:
         yield "", code(f"0 = {to_text(check.value)}"), f"must hold as well {small(where(check.equation))}"
+
+
+def _discrete(explanation: Explanation) -> Iterator[Sequence[str]]:
+    for a in explanation.system.discrete.assignments:
+        text = f"{to_text(a.unknown)} := {to_text(a.value)}"
+        yield code(text), small(place(a.equation.flat.span))
 
 
 def _crossings(explanation: Explanation) -> Iterator[Sequence[str]]:

@@ -42,6 +42,7 @@ def explanation_text(explanation: Explanation, *, everything: bool = False) -> s
         ("Initial problem", _initial_counts(explanation), None),
         _section("Start values", "start", _starts(explanation), rows),
         _section("Zero crossings", "crossing", _crossings(explanation), rows),
+        _section("At events", "discrete value", _discrete(explanation), rows),
         ("Warnings", [warning.render() for warning in explanation.warnings], None),
         ("Seconds", [", ".join(f"{k} {v:.3f}" for k, v in explanation.seconds.items())], None),
     )
@@ -188,6 +189,13 @@ def _starts(explanation: Explanation) -> list[str]:
     return [
         f"{value.name} = {short(to_text(value.value), MOST_TEXT)}  {use(value, explanation.system)}"
         for value in explanation.system.initial.values
+    ]
+
+
+def _discrete(explanation: Explanation) -> list[str]:
+    return [
+        f"{to_text(a.unknown)} := {short(to_text(a.value), MOST_TEXT)}  ({place(a.equation.flat.span)})"
+        for a in explanation.system.discrete.assignments
     ]
 
 

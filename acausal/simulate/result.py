@@ -15,6 +15,7 @@ from acausal.lang.flat import Variable
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
 from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
+from acausal.simulate.record import Ending
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, neg
@@ -59,6 +60,8 @@ class Result:
     statistics: Statistics
     starts: tuple[UsedStart, ...]
     warnings: tuple[Diagnostic, ...] = ()
+    ended: Ending | None = None
+    """The `terminate` that ended the run before its stop time."""
 
     @cached_property
     def _columns(self) -> dict[str, int]:

@@ -99,4 +99,5 @@ def integrate(point: InitialPoint, options: Options) -> Result:
         ),
         starts=point.used,
         warnings=(*point.warnings, *recorder.warnings),
+        ended=course.ended,
     )

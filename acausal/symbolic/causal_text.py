@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from acausal.lang.flat import Variability
-from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalEquation, CausalSystem, InitialValue
+from acausal.symbolic.causal import (
+    Assignment,
+    Block,
+    BlockKind,
+    CausalEquation,
+    CausalSystem,
+    InitialValue,
+    ZeroCrossing,
+)
 from acausal.symbolic.describe import equation_text, place
 from acausal.symbolic.expressions.text import to_text
 
@@ -18,12 +26,14 @@ def print_causal(system: CausalSystem) -> str:
         _section("parameters", _parameters(system)),
         _section("aliases", _aliases(system)),
         _section("running system", _blocks(system.blocks)),
+        _section("discrete system, at events", _discrete(system)),
         _section("initial values", (_initial_value(value, system) for value in system.initial.values)),
         _section("initial system", _blocks(system.initial.blocks)),
+        _section("discrete initial system", map(_assignment, system.discrete.initial)),
         _section(
             "initial checks", (f"0 = {to_text(c.value)}{_source(c.equation)}" for c in system.initial.checks)
         ),
-        _section("zero crossings", (f"{i}: {to_text(z.relation)}" for i, z in enumerate(system.events, 1))),
+        _section("zero crossings", (_crossing(i, z) for i, z in enumerate(system.events, 1))),
         _section("states chosen anew", _monitors(system)),
         _section("assertions", (f"{to_text(a.condition)}  // {place(a.span)}" for a in system.assertions)),
     )
@@ -103,6 +113,28 @@ def _source(equation: CausalEquation) -> str:
     often = {0: "", 1: ", differentiated once", 2: ", differentiated twice"}
     derived = often.get(times, f", differentiated {times} times")
     return f"  // {place(equation.flat.span)}: {equation_text(equation.flat)}{derived}"
+
+
+def _crossing(number: int, crossing: ZeroCrossing) -> str:
+    known = "" if crossing.instant is None else f"  // at time = {to_text(crossing.instant)}"
+    return f"{number}: {to_text(crossing.relation)}{known}"
+
+
+def _discrete(system: CausalSystem) -> Iterator[str]:
+    """Discrete equations in order, what they remember, and what else happens."""
+    part = system.discrete
+    for number, assignment in enumerate(part.assignments, 1):
+        yield f"{number}: {_assignment(assignment)}"
+    if part.memory:
+        yield f"remembered: {', '.join([to_text(leaf) for leaf in part.memory])}"
+    for reset in part.resets:
+        test = to_text(reset.condition)
+        yield f"when {test}: {reset.state} := {to_text(reset.value)}  // {place(reset.span)}"
+    for check in part.checks:
+        test, wanted = to_text(check.condition), to_text(check.assertion.condition)
+        yield f"when {test}: assert {wanted}  // {place(check.assertion.span)}"
+    for stop in part.stops:
+        yield f"when {to_text(stop.condition)}: terminate  // {place(stop.termination.span)}"
 
 
 def _monitors(system: CausalSystem) -> Iterator[str]:
