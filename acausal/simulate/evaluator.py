@@ -28,7 +28,7 @@ from acausal.symbolic.expressions.expr import Expr, der
 
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
-_CLEAR, _REST = 1e-11, 1e-13
+_CLEAR, _REST = 1e-11, 0.1
 
 
 class Buffered:
@@ -144,9 +144,9 @@ class Evaluator:
         self._sizes = np.maximum(self._sizes, sizes)
         side = np.where(self._above == (self.m[self.located] != 0.0), 1.0, -1.0)
         band = HYSTERESIS * self._sizes
-        slack = np.where(side * roots > _CLEAR * sizes, 0.0, np.maximum(2.0 * np.abs(roots), 1e-9 * sizes))
+        slack = np.where(side * roots > _CLEAR * sizes, 0.0, np.maximum(1.01 * np.abs(roots), 1e-9 * sizes))
         if (np.abs(roots) <= band).any():
-            rests = (np.abs(roots) <= band) & (np.abs(self._later(ahead) - roots) <= _REST * self._sizes)
+            rests = (np.abs(roots) <= band) & (np.abs(self._later(ahead) - roots) <= _REST * band)
             slack = np.where(rests, np.maximum(slack, band), slack)
         self.shift[:] = side * slack
 

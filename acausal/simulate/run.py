@@ -283,5 +283,5 @@ class _Loop:
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
             self.evaluator.at(self._time, self._x)
-            self.evaluator.hold(1e3 * self._ahead)
+            self.evaluator.hold(1e4 * self._ahead)
             self.solver.restart(self._time, self._x)
