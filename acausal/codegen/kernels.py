@@ -57,9 +57,11 @@ def _piecewise_sx(kernel: Piecewise, selector: SX, x: SX) -> SX:
     return _horner(coefficients, x - origin) + offset
 
 
-def _wrapped(x: SX, period: Period) -> tuple[SX, SX]:
+def _wrapped(x: _Matrix, period: Period) -> tuple[_Matrix, _Matrix]:
     """Whole periods before `x`, and their length."""
-    turns = ca.floor((x - period[0]) / period[1])
+    turns = (x - period[0]) / period[1]
+    below = ca.fmin(ca.floor(turns), 0)
+    turns = below + ca.fmax(ca.ceil(turns) - 1, 0)
     return turns, turns * period[1]
 
 
@@ -92,8 +94,7 @@ def _piecewise_function(kernel: Piecewise) -> Function:
     selector, x = MX.sym("s"), MX.sym("x")
     inner_selector, inner_x, offset = selector, x, MX(0.0)
     if kernel.period is not None:
-        turns = ca.floor((selector - kernel.period[0]) / kernel.period[1])
-        shift = turns * kernel.period[1]
+        turns, shift = _wrapped(selector, kernel.period)
         inner_selector, inner_x, offset = selector - shift, x - shift, turns * kernel.drift
     piece = _index(kernel.breaks, inner_selector)
     width = max(map(len, kernel.coefficients))
@@ -159,7 +160,7 @@ def _patches_function(kernel: Patches) -> Function:
     cells: list[MX] = []
     distances: list[MX] = []
     for x, breaks, origins, period in zip((u, v), kernel.breaks, kernel.origins, kernel.periods, strict=True):
-        inner = x if period is None else x - ca.floor((x - period[0]) / period[1]) * period[1]
+        inner = x if period is None else x - _wrapped(x, period)[1]
         cells.append(_index(breaks, inner))
         distances.append(inner - MX(DM(np.array(origins)))[cells[-1]])
     width = kernel.powers[0] * kernel.powers[1]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import prod
 
-from acausal.errors import Span, TypeProblem, UnsupportedProblem, fail
+from acausal.errors import Span, TypeProblem, fail
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING
 from acausal.lang.values import (
     AnyValue,
@@ -208,17 +208,20 @@ def _logical(operator: str, a: Value, b: Value, span: Span) -> Value:
 
 
 def _concatenate(a: Value, b: Value, span: Span) -> Value:
-    x, y = a.item.value, b.item.value
-    if a.shape or b.shape or not isinstance(x, str) or not isinstance(y, str):
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.string-expression",
-            "only strings known at compile time can be joined",
-            span,
-        )
-    if len(x) + len(y) > MAX_CHARACTERS:
+    result = zip_with(_joined, a, b, STRING) if a.shape == b.shape else None
+    if result is None:
+        raise _sizes("+", a, b, span)
+    if any(isinstance(i.value, str) and len(i.value) > MAX_CHARACTERS for i in result.items):
         raise type_error("string.too-long", f"a string has more than {MAX_CHARACTERS} characters", span)
-    return scalar(STRING, ex.const(x + y))
+    return result
+
+
+def _joined(a: Expr, b: Expr) -> Expr:
+    """The text of `a`, then that of `b`; a sum of Strings joins its terms in order."""
+    x, y = a.value, b.value
+    if isinstance(x, str) and isinstance(y, str) and a.is_const and b.is_const:
+        return ex.const(x + y)
+    return ex.add(a, b)
 
 
 def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> AnyValue:

@@ -144,9 +144,9 @@ BUILTINS: dict[str, Builtin] = {
 }
 NOT_YET = frozenset(
     {
-        "spatialDistribution", "getInstanceName",
+        "spatialDistribution",
         "previous", "hold", "Clock", "subSample", "superSample", "shiftSample", "backSample", "noClock",
-        "interval", "firstTick", "transition", "String",
+        "interval", "firstTick", "transition",
     }
 )  # fmt: skip
 """Operators of Modelica 3.6 that this version refuses by name."""

@@ -53,6 +53,8 @@ class ScalarType:
 
     name: str
     literals: tuple[str, ...] = ()
+    external: bool = False
+    """The class of external objects: no variable of a flat model is one."""
 
     @property
     def is_enumeration(self) -> bool:

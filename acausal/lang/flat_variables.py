@@ -56,6 +56,9 @@ class Variables:
             member, top = stack.pop()
             if isinstance(member, Leaf):
                 self._translation.note(member)
+                if member.type.external:
+                    self._translation.externals.object(member)
+                    continue
                 found.append(self._variable(member, top))
             elif isinstance(member, Array):
                 stack.extend([(item, top) for item in reversed(member.items)])

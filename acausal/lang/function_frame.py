@@ -102,7 +102,7 @@ class Frame:
 
 def new_frame(translation: Translation, scope: Scope, env: Env) -> Frame:
     """The frame of a call from `env`, without variables."""
-    return Frame(translation, scope, {}, set(), env.depth + 1)
+    return Frame(translation, scope, {}, set(), env.depth + 1, at_event=env.at_event)
 
 
 def default_of(entry: ComponentEntry) -> ast.Expression | None:
@@ -134,6 +134,11 @@ def declare(frame: Frame, entry: ComponentEntry, value: AnyValue | None, span: S
     Unassigned variables start as zeros of their declared size, so that element-wise assignment works.
     """
     type_scope = entry.scope.find_class(entry.clause.type)
+    if type_scope.kind == "function" and value is not None:
+        if isinstance(value, Value) and value.type.external:
+            return value
+        message = f"`{entry.name}` of `{frame.scope.path}` is a function, so its argument must be one"
+        raise type_error("call.function-argument", message, span, "", (entry.name,))
     simple = frame.translation.instances.simple_type(type_scope)
     if value is None:
         default = default_of(entry)

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import prod
 
-from acausal.errors import AcausalError, UnsupportedProblem, fail
+from acausal.errors import AcausalError, UnsupportedProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.class_table import ComponentEntry
+from acausal.lang.external_calls import call_external
 from acausal.lang.flat import REAL
+from acausal.lang.function_derivatives import is_constant, with_derivative
 from acausal.lang.function_frame import (
     Frame,
     declaration_order,
@@ -25,6 +27,8 @@ from acausal.lang.function_frame import (
     has_value,
     new_frame,
 )
+from acausal.lang.function_kernels import at_events
+from acausal.lang.function_values import function_value, is_function_type
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
@@ -50,16 +54,10 @@ def call_function(translation: Translation, scope: Scope, node: ast.Call, env: E
         if missing:
             raise _no_argument(scope, missing[0], node)
         return [BUILTINS[external.name]([given[e.name] for e in inputs], node.span)]
-    if external is not None:
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.external-function",
-            f"`{scope.path}` is an external function, which is not supported yet",
-            node.span,
-            names=[scope.path],
-        )
-    vector = _broadcast(translation, scope, inputs, given, node, env)
-    return vector if vector is not None else _run(translation, scope, given, node, env)
+    results = _broadcast(translation, scope, inputs, given, node, env)
+    if results is None:
+        results = _inlined(translation, scope, given, node, env)
+    return with_derivative(translation, scope, given, results, node, env)
 
 
 def _bind_arguments(
@@ -71,15 +69,21 @@ def _bind_arguments(
         message = f"`{scope.path}` takes {len(inputs)} argument(s), not {len(node.arguments)}"
         raise type_error("call.arguments", message, node.span, listed, (scope.path,))
     for entry, argument in zip(inputs, node.arguments, strict=False):
-        given[entry.name] = translation.value(argument, env)
-    names = {e.name for e in inputs}
+        given[entry.name] = _argument(translation, entry, argument, env)
+    by_name = {e.name: e for e in inputs}
     for named in node.named:
-        if named.name not in names or named.name in given:
+        if named.name not in by_name or named.name in given:
             what = "is given twice in the call" if named.name in given else "is not an input"
             message = f"`{named.name}` {what} of `{scope.path}`"
             raise type_error("call.arguments", message, named.span, listed, (named.name,))
-        given[named.name] = translation.value(named.value, env)
+        given[named.name] = _argument(translation, by_name[named.name], named.value, env)
     return given
+
+
+def _argument(translation: Translation, entry: ComponentEntry, node: ast.Expression, env: Env) -> AnyValue:
+    if isinstance(node, (ast.ComponentReference, ast.PartialFunction)) and is_function_type(entry):
+        return function_value(translation, entry, node, env)
+    return translation.value(node, env)
 
 
 def _no_argument(scope: Scope, entry: ComponentEntry, node: ast.Call) -> AcausalError:
@@ -107,6 +111,31 @@ def construct_record(translation: Translation, scope: Scope, node: ast.Call, env
 # --------------------------------------------------------------------------- one call
 
 
+def _inlined(
+    translation: Translation, scope: Scope, given: _Arguments, node: ast.Call, env: Env
+) -> list[AnyValue]:
+    """The results as expressions; where a loop depends on run-time values, as kernels evaluated at events."""
+    checks = len(translation.assertions)
+    try:
+        return _run(translation, scope, given, node, env)
+    except UnsupportedProblem as problem:
+        if "unsupported.run-time-loop" not in problem.codes or not (
+            env.at_event or is_constant(translation, given)
+        ):
+            raise
+        del translation.assertions[checks:]
+        frame = new_frame(translation, scope, env)
+        entries = list(scope.table.components.values())
+        for entry in declaration_order(entries):
+            frame.variables[entry.name] = declare(frame, entry, given.get(entry.name), node.span)
+        outputs = [e.name for e in entries if e.clause.causality == "output" and not e.protected]
+        sized = [(name, frame.variables[name]) for name in outputs]
+        results = at_events(translation, scope, given, sized, node)
+        if results is None:
+            raise
+        return results
+
+
 def _run(
     translation: Translation, scope: Scope, given: _Arguments, node: ast.Call, env: Env
 ) -> list[AnyValue]:
@@ -122,6 +151,8 @@ def _run(
         if value is not None or has_value(entry):
             frame.assigned.add(entry.name)
     sections = [s for s, _ in scope.table.sections if isinstance(s, ast.AlgorithmSection)]
+    if scope.table.external is not None:
+        call_external(frame, scope.table.external, node)
     outputs = [e for e in entries if e.clause.causality == "output" and not e.protected]
     if not sections and any(e.name not in frame.assigned for e in outputs):
         message = f"`{scope.path}` has no algorithm"

@@ -239,6 +239,12 @@ class Library:
         self.given.append(definition.name)
         return node
 
+    def own_folders(self) -> tuple[Path, ...]:
+        """The folders of the files that classes were added from."""
+        added = [node for node in self._classes.values() if node is not None]
+        files = [Path(node.definition.span.file) for node in added]
+        return tuple(dict.fromkeys(file.resolve().parent for file in files if file.is_file()))
+
     def top_level(self, name: str) -> ClassNode | None:
         """The top-level class `name`, loaded from the path when needed."""
         if name not in self._classes:

@@ -11,6 +11,7 @@ from acausal.lang.predefined import EXTERNAL_OBJECT
 from acausal.lang.scope import Scope
 
 _SCALAR_TYPES = {"Real": REAL, "Integer": INTEGER, "Boolean": BOOLEAN, "String": STRING}
+_EXTERNAL = ScalarType(EXTERNAL_OBJECT, (), True)
 _REAL_ATTRIBUTES = (
     "quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "unbounded", "stateSelect",
 )  # fmt: skip
@@ -59,12 +60,14 @@ class SimpleTypes:
             return SimpleType(enumeration_of(scope), {}, frozenset(), (), Causality.LOCAL)
         if scope.is_predefined:
             if scope.path == EXTERNAL_OBJECT:
-                return None
+                return SimpleType(_EXTERNAL, {}, frozenset(), (), Causality.LOCAL)
             return SimpleType(_SCALAR_TYPES[scope.path], {}, frozenset(), (), Causality.LOCAL)
         table = scope.table
         if len(table.bases) != 1 or table.components:
             return None
         simple = self.of(table.bases[0].scope)
+        if simple is not None and simple.scalar is _EXTERNAL:
+            return SimpleType(ScalarType(scope.path, (), True), {}, frozenset(), (), Causality.LOCAL)
         return None if simple is None else _derived(scope, simple)
 
 
@@ -123,7 +126,7 @@ def with_attributes(simple: SimpleType, modifier: Modifier, path: str) -> dict[s
 
 def attributes_of(type_: ScalarType) -> tuple[str, ...]:
     """Names of the attributes of a type."""
-    return _ENUMERATION_ATTRIBUTES if type_.is_enumeration else _ATTRIBUTES[type_.name]
+    return _ENUMERATION_ATTRIBUTES if type_.is_enumeration else _ATTRIBUTES.get(type_.name, ())
 
 
 def enumeration_of(scope: Scope) -> ScalarType:

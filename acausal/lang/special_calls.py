@@ -139,6 +139,20 @@ def _cat(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
     return BUILTINS["cat"]([number, *values], node.span)
 
 
+def _instance_name(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
+    """The simple name of the model, then the path of the component whose text has the call (3.7.4.4)."""
+    _arguments(node, "getInstanceName", 0)
+    instance = env.context.instance
+    if instance is None:
+        message = "`getInstanceName` names a component, so it cannot stand in a function or a constant"
+        raise type_error("call.instance-name", message, node.span, "", ("getInstanceName",))
+    root = instance
+    while root.parent is not None:
+        root = root.parent
+    name = root.scope.path.rpartition(".")[2]
+    return literal(f"{name}.{instance.path}" if instance.path else name)
+
+
 SPECIAL: dict[str, SpecialCall] = {
     **EVENT_CALLS,
     "der": _der,
@@ -153,4 +167,5 @@ SPECIAL: dict[str, SpecialCall] = {
     "identity": _sized,
     "linspace": _sized,
     "cat": _cat,
+    "getInstanceName": _instance_name,
 }

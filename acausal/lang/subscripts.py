@@ -19,7 +19,16 @@ from acausal.lang.index_choices import (
     with_chosen,
 )
 from acausal.lang.translation import Env, Translation
-from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, describe, literal, subscript
+from acausal.lang.values import (
+    AnyValue,
+    RecordArray,
+    RecordValue,
+    Value,
+    describe,
+    literal,
+    select_part,
+    subscript,
+)
 from acausal.symbolic.expressions import expr as ex
 
 MAX_SELECTED = 200_000
@@ -103,3 +112,17 @@ def _subscripted(
     chosen = subscript(numbers, picks)
     items = tuple([value.items[int(item.number)] for item in chosen.items])
     return RecordArray(chosen.shape, items, value.scope) if chosen.shape else items[0]
+
+
+def part_of(translation: Translation, value: AnyValue, node: ast.ComponentReference, env: Env) -> AnyValue:
+    """What a reference names of the value of its first part: fields and elements."""
+    for i, part in enumerate(node.parts):
+        if i > 0:
+            field_value = select_part(value, part.name)
+            if field_value is None:
+                message = f"{describe(value)} has no field `{part.name}`"
+                raise type_error("lookup.unknown-field", message, part.span, "", (part.name,))
+            value = field_value
+        if part.subscripts is not None:
+            value = subscripted(translation, value, part.subscripts, env, part.name)
+    return value

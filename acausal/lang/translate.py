@@ -11,18 +11,19 @@ from acausal.errors import Diagnostic, Span, TypeProblem, UnsupportedProblem, fa
 from acausal.lang import ast
 from acausal.lang.arithmetic import (
     as_scalar,
-    as_value,
     type_error,
     unary,
 )
-from acausal.lang.array_functions import Builtin
 from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
+from acausal.lang.builtin_calls import builtin_value
 from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.connection_calls import CONNECTION_CALLS
 from acausal.lang.enumeration_calls import literal_of
+from acausal.lang.externals import Externals, is_external_class
 from acausal.lang.flat import INTEGER, REAL, Assertion, Variability
 from acausal.lang.formals import Formal
 from acausal.lang.function_lookup import function_scope
+from acausal.lang.function_values import call_given, given_function
 from acausal.lang.functions import call_function, construct_record
 from acausal.lang.index_choices import (
     Choice,
@@ -39,8 +40,8 @@ from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
 from acausal.lang.modifiers import Binding, Context
 from acausal.lang.network import Network
-from acausal.lang.operations import EVENT_FUNCTIONS, binary_value, if_value, without_events
-from acausal.lang.operator_records import construct, sum_of_records, text_of, unary_record
+from acausal.lang.operations import binary_value, if_value
+from acausal.lang.operator_records import construct, unary_record
 from acausal.lang.parameter_errors import (
     bad_part,
     cyclic_parameter,
@@ -48,11 +49,11 @@ from acausal.lang.parameter_errors import (
     not_constant,
     too_deep_calls,
 )
-from acausal.lang.record_arrays import REARRANGING, rearranged
 from acausal.lang.references import current_value, member_value, refuse_conditional, resolve
 from acausal.lang.scope import FoundComponent, Root, Scope
 from acausal.lang.special_calls import SPECIAL
-from acausal.lang.subscripts import subscripted
+from acausal.lang.subscripts import part_of, subscripted
+from acausal.lang.texts import string_value
 from acausal.lang.translation import Env
 from acausal.lang.values import AnyValue, Value, describe, first_size, literal, scalar, select_part
 from acausal.lang.work import Budget
@@ -72,6 +73,7 @@ class Translator(Budget):
         self.root = root
         self.warnings: list[Diagnostic] = []
         self.instances = Instantiator(self)
+        self.externals = Externals(self, root.library)
         self.leaves: dict[str, Leaf] = {}
         self.formals: dict[Scope, tuple[Formal, ...]] = {}
         self.structural: dict[str, None] = {}
@@ -133,6 +135,17 @@ class Translator(Budget):
         self._shaped_by(item)
         return result
 
+    def known(self, item: Expr) -> Constant | None:
+        """The value of a scalar that depends on parameters only, which become structural; else None."""
+        if item.is_const:
+            return item.value
+        try:
+            result = evaluate(item, self.parameter_value)
+        except (NotConstant, EvaluationFailed, TypeProblem):
+            return None
+        self._shaped_by(item)
+        return result
+
     def decide(self, condition: Expr) -> bool | None:
         """The value of a condition on parameters, which become structural; None for any other."""
         if condition.is_const:
@@ -171,10 +184,18 @@ class Translator(Budget):
         """The value of a parameter or constant; None for anything else. Raises on cycles."""
         if path not in self._values:
             leaf = self.leaves.get(path)
-            if leaf is None or leaf.prefixes.variability > Variability.PARAMETER:
+            if leaf is None or leaf.prefixes.variability > Variability.PARAMETER or self._is_free(leaf):
                 return None
             self._values[path] = self._compute(leaf)
         return self._values[path]
+
+    def _is_free(self, leaf: Leaf) -> bool:
+        """Whether the initial problem determines a parameter: `fixed = false` and no value."""
+        fixed = leaf.attributes.get("fixed")
+        if fixed is None or leaf.binding is not None:
+            return False
+        value = as_scalar(self.binding_value(fixed), fixed.span).item
+        return value.is_const and not value.value
 
     def constant_of(self, leaf: Leaf) -> Constant:
         """The value of a package's constant."""
@@ -279,7 +300,7 @@ class Translator(Budget):
             first = node.parts[0]
             local = env.locals.get(first.name)
             if local is not None:
-                return self._local(local, node, env)
+                return part_of(self, local, node, env)
             if first.name == "time" and len(node.parts) == 1:
                 return scalar(REAL, ex.TIME)
         try:
@@ -301,18 +322,6 @@ class Translator(Budget):
         choice.check(self, ex.TRUE)
         return chosen(choice, values, node.span)
 
-    def _local(self, value: AnyValue, node: ast.ComponentReference, env: Env) -> AnyValue:
-        for i, part in enumerate(node.parts):
-            if i > 0:
-                field_value = select_part(value, part.name)
-                if field_value is None:
-                    message = f"{describe(value)} has no field `{part.name}`"
-                    raise type_error("lookup.unknown-field", message, part.span, "", (part.name,))
-                value = field_value
-            if part.subscripts is not None:
-                value = subscripted(self, value, part.subscripts, env, part.name)
-        return value
-
     def enumerated(self, node: ast.Expression, env: Env) -> list[Value] | None:
         """The values of `Boolean` or of an enumeration type; None for anything else."""
         return enumerated(self, node, env)
@@ -322,9 +331,7 @@ class Translator(Budget):
         if node.iterators:
             return reduction(self, node, name, env)
         if name == "String":
-            text = text_of(self, node, env)
-            if text is not None:
-                return text
+            return string_value(self, node, env)
         special = SPECIAL.get(name) or CONNECTION_CALLS.get(name)
         if special is not None:
             return special(self, node, env)
@@ -332,7 +339,7 @@ class Translator(Budget):
         if builtin is not None and (node.function.global_ or not self._is_hidden(name, env)):
             if node.named:
                 raise type_error("call.arguments", f"`{name}` has no named arguments", node.span)
-            return self._builtin(name, builtin, node, env)
+            return builtin_value(self, name, builtin, node, env)
         if name in NOT_YET:
             message = f"`{name}(...)` is not supported yet"
             raise fail(UnsupportedProblem, f"unsupported.{name}", message, node.span, names=[name])
@@ -346,22 +353,13 @@ class Translator(Budget):
             found = self._hidden[key] = _is_function(env.context.scope.find(name))
         return found
 
-    def _builtin(self, name: str, builtin: Builtin, node: ast.Call, env: Env) -> AnyValue:
-        """A built-in function of values; some take records too."""
-        values = [self.value(arg, env) for arg in node.arguments]
-        if all(isinstance(value, Value) for value in values):
-            value = builtin(values, node.span)
-            return without_events(value) if env.depth and name in EVENT_FUNCTIONS else value
-        if name in REARRANGING:
-            return rearranged(name, values, node.span)
-        if name == "sum" and len(values) == 1:
-            return sum_of_records(self, values[0], node.span, env)
-        return builtin(
-            [as_value(value, arg.span) for value, arg in zip(values, node.arguments, strict=True)], node.span
-        )
-
     def _user_call(self, node: ast.Call, env: Env) -> AnyValue:
+        given = given_function(env, node.function)
+        if given is not None:
+            return self.results(node, env)[0]
         scope = function_scope(self, node.function, env)
+        if is_external_class(scope):
+            return self.call(scope.find_nested("constructor", node.function.span), node, env)[0]
         if scope.kind == "record":
             constructed = construct(self, scope, node, env)
             return construct_record(self, scope, node, env) if constructed is None else constructed
@@ -376,6 +374,9 @@ class Translator(Budget):
 
     def results(self, node: ast.Call, env: Env) -> list[AnyValue]:
         """All outputs of a function call, in order. Raises `function.recursion`."""
+        given = given_function(env, node.function)
+        if given is not None:
+            return self.call(given.scope, *call_given(given, node, env))
         return self.call(function_scope(self, node.function, env), node, env)
 
     def call(self, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:

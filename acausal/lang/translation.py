@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from acausal.errors import Diagnostic, Span
 from acausal.lang import ast
+from acausal.lang.externals import Externals
 from acausal.lang.flat import Assertion
 from acausal.lang.instance import Instance, Leaf, Member
 from acausal.lang.light import light_object
@@ -127,6 +128,15 @@ class Translation(Protocol):
 
     def evaluate_expr(self, item: Expr, span: Span, purpose: str) -> Constant:
         """As `evaluate`, for a translated scalar."""
+        ...
+
+    def known(self, item: Expr) -> Constant | None:
+        """The value of a scalar that depends on parameters only, which become structural; else None."""
+        ...
+
+    @property
+    def externals(self) -> Externals:
+        """External objects and files."""
         ...
 
     def decide(self, condition: Expr) -> bool | None:

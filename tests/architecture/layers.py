@@ -15,6 +15,7 @@ PACKAGE = ROOT / "acausal"
 LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.errors", "acausal.symbolic.graphs", "acausal.version"),
     ("acausal.symbolic.expressions",),
+    ("acausal.externals",),
     ("acausal.lang",),
     ("acausal.symbolic",),
     ("acausal.codegen", "acausal.plotting", "acausal.runtime"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import isnan
 
+from acausal.symbolic.expressions.kernel import Kernel
 from acausal.symbolic.expressions.node import FALSE, ONE, TRUE, ZERO, EnumValue, Expr, call, const, make
 from acausal.symbolic.expressions.operators import LARGEST_INTEGER, OPERATORS, RELATIONS
 
@@ -239,6 +240,18 @@ def function(name: str, *args: Expr) -> Expr:
     return _fold(name, args)
 
 
+def apply(kernel: Kernel, *args: Expr) -> Expr:
+    """The call of a kernel, folded when all arguments are constants."""
+    values = [arg.value for arg in args if arg.op == "const" and arg.value is not None]
+    if args and len(values) == len(args):
+        plain = [value.index if isinstance(value, EnumValue) else value for value in values]
+        try:
+            return const(kernel.evaluate(*plain))
+        except (ArithmeticError, ValueError):
+            return call(kernel, *args)  # left for the evaluation that can name the place
+    return call(kernel, *args)
+
+
 def derived(a: Expr, derivative: Expr) -> Expr:
     """`a`, whose time derivative is `derivative` because its author says so (Modelica 3.6, 12.7.1).
 
@@ -270,7 +283,7 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     if special is not None:
         return special(*args)
     if op == "call":
-        return call(node.kernel, *args)
+        return apply(node.kernel, *args)
     if op == "smooth":
         return smooth(node.value, args[0])  # type: ignore[arg-type]  # the order of a smooth node is an int
     if op in RELATIONS or OPERATORS[op].shape == "function":

@@ -274,10 +274,13 @@ class TimeDerivative:
         if node.op == "derived":
             return self._given(node.args[1])
         slopes: list[Expr] = []
-        for slope in args:
-            if isinstance(slope, NotDifferentiable):
+        for i, slope in enumerate(args):
+            if node.op == "call" and not node.kernel.moves_with(i):
+                slopes.append(ZERO)
+            elif isinstance(slope, NotDifferentiable):
                 return slope
-            slopes.append(slope)
+            else:
+                slopes.append(slope)
         moves = any(slope is not ZERO for slope in slopes)
         if node.op == "delay" and moves:
             return NotDifferentiable(node, "the derivative of a delayed value is not known")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from acausal.symbolic.expressions.construct import (
     MOST_MERGED,
     add,
+    apply,
     delay,
     der,
     derived,
@@ -78,6 +79,7 @@ __all__ = [
     "EnumValue",
     "Expr",
     "add",
+    "apply",
     "call",
     "const",
     "delay",

@@ -36,6 +36,10 @@ class Kernel(ABC):
         """The derivative with respect to an argument (from 0), of the same arguments; None: it is zero."""
         raise NotImplementedError(self.name)
 
+    def moves_with(self, argument: int) -> bool:
+        """Whether the value may change with an argument in a way that the pieces do not account for."""
+        return True
+
     @property
     def is_discrete(self) -> bool:
         """Whether it makes sense at events only and has no derivatives (random numbers, texts)."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from acausal.symbolic.expressions.expr import EnumValue, Expr, fold
+from acausal.symbolic.expressions.kernel import Named
+from acausal.symbolic.expressions.kernels.texts import TextOf
 from acausal.symbolic.expressions.operators import OPERATORS
 
 _Piece = tuple[str, int]
@@ -83,10 +85,10 @@ def _piece(node: Expr, args: list[_Piece], name: Callable[[str], str]) -> _Piece
         return f"{_wrap(args[0], _PRODUCT)} / {_wrap(args[1], _POWER)}", _PRODUCT
     if op == "pow":
         return f"{_wrap(args[0], _ATOM)} ^ {_wrap(args[1], _ATOM)}", _POWER
-    return _other(node, args)
+    return _other(node, args, name)
 
 
-def _other(node: Expr, args: list[_Piece]) -> _Piece:
+def _other(node: Expr, args: list[_Piece], name: Callable[[str], str]) -> _Piece:
     operator = OPERATORS[node.op]
     if operator.shape == "relation":
         return f"{_wrap(args[0], _SUM)} {operator.text} {_wrap(args[1], _SUM)}", operator.precedence
@@ -102,7 +104,10 @@ def _other(node: Expr, args: list[_Piece]) -> _Piece:
     if node.op == "smooth":
         return f"smooth({node.value}, {inner})", _ATOM
     if node.op == "call":
-        return f"{node.kernel.name}({inner})", _ATOM
+        kernel = node.kernel
+        if isinstance(kernel, TextOf):
+            return f"String({inner}{kernel.options})", _ATOM
+        return f"{kernel.name if isinstance(kernel, Named) else name(kernel.name)}({inner})", _ATOM
     if node.op == "derived":
         return args[0]
     return f"{_FUNCTION_TEXT.get(node.op, operator.text)}({inner})", _ATOM

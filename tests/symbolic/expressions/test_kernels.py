@@ -39,7 +39,7 @@ def test_period_and_drift() -> None:
 
 
 def test_equal_contents_are_one_node() -> None:
-    again = piecewise("other name", HAT.breaks, HAT.origins, HAT.coefficients, 0)
+    again = piecewise("hat", HAT.breaks, HAT.origins, HAT.coefficients, 0)
     assert ex.call(HAT, X, X) is ex.call(again, X, X)
     assert ex.call(HAT, X, X) is not ex.call(SQUARE, X, X)
 

@@ -6,9 +6,9 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import floor
 
 from acausal.symbolic.expressions.kernel import Kernel, digest
+from acausal.symbolic.expressions.kernels.piecewise import whole_periods
 from acausal.symbolic.expressions.node import Constant
 
 Period = tuple[float, float]
@@ -41,7 +41,7 @@ class Patches(Kernel):
                 raise ValueError(f"{arg!r} is not a number")
             x = float(arg)
             if period is not None:
-                x -= floor((x - period[0]) / period[1]) * period[1]
+                x -= whole_periods(x, period) * period[1]
             cells.append(bisect_right(breaks, x))
             distances.append(x - origins[cells[-1]])
         patch = self.coefficients[cells[0] * len(self.origins[1]) + cells[1]]
@@ -103,5 +103,5 @@ def patches(
     cuts = (tuple(map(float, breaks[0])), tuple(map(float, breaks[1])))
     places = (tuple(map(float, origins[0])), tuple(map(float, origins[1])))
     data = tuple(tuple(map(float, patch)) for patch in coefficients)
-    key = digest("patches", cuts, places, powers, data, continuity, periods)
+    key = digest("patches", name, cuts, places, powers, data, continuity, periods)
     return Patches(name, key, cuts, places, powers, data, continuity, periods)

@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import floor
+from math import ceil, floor
 
 from acausal.symbolic.expressions.kernel import Kernel, digest
 from acausal.symbolic.expressions.node import Constant
@@ -18,8 +18,8 @@ class Piecewise(Kernel):
 
     Arguments (s, x): usually the same; a table over time chooses its piece by another value than it is
     evaluated at (the left limit at an event). There is one piece more than there are breaks, coefficients
-    run from the constant term up. With `period` (start, length) both arguments are shifted into
-    [start, start + length) by whole periods, and `drift` is added for each.
+    run from the constant term up. With `period` (start, length) both arguments are shifted by whole periods,
+    up to `start` from below and down to `start + length` from above, and `drift` is added for each.
     """
 
     name: str
@@ -37,9 +37,9 @@ class Piecewise(Kernel):
         selector, x = (_number(arg) for arg in args)
         offset = 0.0
         if self.period is not None:
-            start, length = self.period
-            turns = floor((selector - start) / length)
-            selector, x, offset = selector - turns * length, x - turns * length, turns * self.drift
+            turns = whole_periods(selector, self.period)
+            shift = turns * self.period[1]
+            selector, x, offset = selector - shift, x - shift, turns * self.drift
         piece = bisect_right(self.breaks, selector)
         distance = x - self.origins[piece]
         value = 0.0
@@ -47,6 +47,9 @@ class Piecewise(Kernel):
             value = value * distance + coefficient
         value += offset
         return round(value) if self.result == "Integer" else value
+
+    def moves_with(self, argument: int) -> bool:
+        return argument == 1
 
     def partial(self, argument: int) -> Piecewise | None:
         return None if argument == 0 else self._derivative
@@ -83,8 +86,14 @@ def piecewise(
     """The kernel with these parts."""
     pieces = tuple(tuple(map(float, piece)) for piece in coefficients)
     parts = (tuple(map(float, breaks)), tuple(map(float, origins)), pieces)
-    key = digest("piecewise", *parts, continuity, period, drift, result)
+    key = digest("piecewise", name, *parts, continuity, period, drift, result)
     return Piecewise(name, key, *parts, continuity, period, drift, result)
+
+
+def whole_periods(x: float, period: tuple[float, float]) -> int:
+    """How many periods `x` lies above the first one: 0 for `start <= x <= start + length`."""
+    turns = (x - period[0]) / period[1]
+    return floor(turns) if turns < 0 else max(0, ceil(turns) - 1)
 
 
 def lookup(name: str, values: Sequence[float], result: str = "Real") -> Piecewise:

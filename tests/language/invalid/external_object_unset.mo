@@ -1,4 +1,4 @@
-// error: unsupported.external-object line 6 names t
+// error: external.object line 6 names t says not constructed
 class Table
   extends ExternalObject;
 end Table;

@@ -1,0 +1,138 @@
+"""Functions that cannot be inlined, because their loops depend on run-time values: run as a unit at events.
+
+Such a function becomes a kernel for each scalar it computes. Evaluating one runs the function's algorithm on
+constants, with the same bounds on its statements as at compile time, so that it cannot run without end.
+Between events, where integration needs derivatives, these functions are refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from math import prod
+
+from acausal.errors import AcausalError
+from acausal.lang import ast
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.lang.modifiers import Context
+from acausal.lang.scope import Scope
+from acausal.lang.translation import Env, Translation
+from acausal.lang.value_calls import reference
+from acausal.lang.values import AnyValue, Value
+from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr
+from acausal.symbolic.expressions.kernel import Kernel
+
+_MOST_KEPT = 64
+
+
+@dataclass(eq=False)
+class Body:
+    """A function with the types and sizes of the arguments it is called with; `results` of its last calls."""
+
+    translation: Translation
+    scope: Scope
+    node: ast.Call
+    inputs: tuple[tuple[str, ScalarType, tuple[int, ...]], ...]
+    results: dict[tuple[Constant, ...], list[AnyValue]] = field(
+        default_factory=dict[tuple[Constant, ...], list[AnyValue]]
+    )
+
+    def run(self, args: tuple[Constant, ...]) -> list[AnyValue]:
+        """All results for constant arguments. Raises `AcausalError`."""
+        known = self.results.get(args)
+        if known is None:
+            if len(self.results) >= _MOST_KEPT:
+                self.results.clear()
+            known = self.results[args] = self._run(args)
+        return known
+
+    def _run(self, args: tuple[Constant, ...]) -> list[AnyValue]:
+        rest = iter(args)
+        span = self.node.span
+        local: dict[str, AnyValue] = {}
+        named: list[ast.NamedArgument] = []
+        for name, type_, shape in self.inputs:
+            items = [ex.const(_of_type(value, type_)) for value in islice(rest, prod(shape))]
+            local[f"#{name}"] = Value(type_, shape, tuple(items))
+            named.append(ast.NamedArgument(name, reference(f"#{name}", span), span))
+        call = ast.Call(self.node.function, (), tuple(named), (), span)
+        env = Env(Context(self.scope, None), local)
+        checks = len(self.translation.assertions)
+        try:
+            return self.translation.call(self.scope, call, env)
+        finally:
+            del self.translation.assertions[checks:]
+
+
+@dataclass(frozen=True, eq=False)
+class AtEvents(Kernel):
+    """Element `element` of result `position` of a function."""
+
+    body: Body
+    position: int
+    element: int
+    name: str
+    key: str
+    arity: int
+    result: str
+    continuity: int = -1
+
+    @property
+    def is_discrete(self) -> bool:
+        return True
+
+    def evaluate(self, *args: Constant) -> Constant:
+        try:
+            value = self.body.run(args)[self.position]
+        except AcausalError as problem:
+            raise ValueError(problem.diagnostics[0].message) from None
+        item = value.items[self.element] if isinstance(value, Value) else None
+        if item is None or item.value is None or not item.is_const:
+            raise ValueError(f"{self.name} gives no constant")
+        return item.value.index if isinstance(item.value, EnumValue) else item.value
+
+    def partial(self, argument: int) -> Kernel | None:
+        return None
+
+
+def at_events(
+    translation: Translation,
+    scope: Scope,
+    given: Mapping[str, AnyValue],
+    outputs: Sequence[tuple[str, AnyValue]],
+    node: ast.Call,
+) -> list[AnyValue] | None:
+    """The results as kernels; `outputs` have their types and sizes. None where there are records."""
+    inputs: list[tuple[str, ScalarType, tuple[int, ...]]] = []
+    args: list[Expr] = []
+    for name, value in given.items():
+        if not isinstance(value, Value) or value.type.external:
+            return None
+        inputs.append((name, value.type, value.shape))
+        args += value.items
+    body = Body(translation, scope, node, tuple(inputs))
+    site = translation.externals.next_site()
+    results: list[AnyValue] = []
+    for position, (name, value) in enumerate(outputs):
+        if not isinstance(value, Value):
+            return None
+        result = value.type.name if value.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
+        items: list[Expr] = []
+        for k in range(len(value.items)):
+            key = f"function {scope.path} {translation.externals.number} {site} {position} {k}"
+            kernel = AtEvents(body, position, k, f"{scope.path}.{name}", key, len(args), result)
+            items.append(ex.call(kernel, *args))
+        results.append(Value(value.type, value.shape, tuple(items)))
+    return results
+
+
+def _of_type(value: Constant, type_: ScalarType) -> Constant:
+    """A number as a literal of the declared type: at run time there are Reals only."""
+    if type_.is_enumeration and isinstance(value, (int, float)):
+        index = int(value)
+        return EnumValue(type_.name, type_.literals[index - 1], index)
+    if isinstance(value, (int, float)):
+        return {INTEGER: int, BOOLEAN: bool, REAL: float}.get(type_, float)(value)
+    return value
