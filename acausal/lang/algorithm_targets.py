@@ -57,7 +57,7 @@ def _check_leaf(leaf: Leaf, target: ast.ComponentReference, *, initial: bool) ->
         raise _refused(leaf, "a constant", target.span)
     if prefixes.variability is Variability.PARAMETER and not initial:
         raise _refused(leaf, "a parameter", target.span)
-    if prefixes.causality is Causality.INPUT and leaf.binding is None and "." not in leaf.path:
+    if prefixes.causality is Causality.INPUT and len(target.parts) == 1:
         raise _refused(leaf, "an input", target.span)
 
 

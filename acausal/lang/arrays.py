@@ -39,7 +39,7 @@ def _comprehension(
     """`{e for i in I, j in J}` is `{{e for i in I} for j in J}`."""
     *inner, outer = iterators
     values: list[AnyValue] = []
-    for value in iterator_values(translation, outer, env):
+    for value in iterator_values(translation, outer, env, item):
         env_here = env.with_locals({outer.name: value})
         if inner:
             values.append(_comprehension(translation, item, inner, env_here, node))
@@ -149,7 +149,8 @@ def reduction(translation: Translation, node: ast.Call, name: str, env: Env) -> 
         message = f"`{name}` cannot be used with `for`"
         raise type_error("call.reduction", message, node.span, "", (name,))
     values = [
-        translation.value(node.arguments[0], inner) for inner in iterate(translation, node.iterators, env)
+        translation.value(node.arguments[0], inner)
+        for inner in iterate(translation, node.iterators, env, node.arguments)
     ]
     if not values:
         empty = {"sum": 0, "product": 1}.get(name)

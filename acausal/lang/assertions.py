@@ -48,10 +48,13 @@ def _level(translation: Translation, node: ast.Expression, env: Env) -> str:
 
 def _text(translation: Translation, node: ast.Expression, env: Env, what: str) -> str:
     """The text of a message; one that is computed at run time is shown as it is written."""
+    start = len(translation.assertions)
     try:
         value = as_scalar(translation.value(node, env), node.span)
     except UnsupportedProblem:
         return print_expression(node)
+    finally:
+        del translation.assertions[start:]  # a message is evaluated when it is needed (8.3.7)
     if value.type != STRING:
         message = f"the message of {what} is a String, not {describe(value)}"
         raise type_error("type.mismatch", message, node.span)
@@ -77,5 +80,13 @@ def add_assertion(found: list[Assertion], assertion: Assertion, guard: Expr) -> 
 
 
 def without_repetitions(found: list[Assertion]) -> tuple[Assertion, ...]:
-    """Each once: a function may be called many times with the same arguments."""
+    """Each once: a function may be called many times with the same arguments.
+
+    Raises `assertion.failed` for an error that every simulation would end in.
+    """
+    for assertion in found:
+        if assertion.condition is ex.FALSE and assertion.level == "error":
+            message = f"this assertion is never true: {assertion.message.value}"
+            names = (assertion.component,) if assertion.component else ()
+            raise type_error("assertion.failed", message, assertion.span, "", names)
     return tuple({(a.condition, a.message, a.level, a.component): a for a in found}.values())

@@ -15,7 +15,7 @@ from acausal.lang.connections import ConnectionSets
 from acausal.lang.discrete import DiscreteVariables
 from acausal.lang.flat import Equation, Origin, Termination, When
 from acausal.lang.instance import Instance
-from acausal.lang.iteration import iterate
+from acausal.lang.iteration import iterate, require_parameters
 from acausal.lang.links import GRAPH_CALLS, call_name
 from acausal.lang.matching_values import match_values, merge_branches
 from acausal.lang.modifiers import Context
@@ -45,7 +45,7 @@ class Equations:
     def component(self, instance: Instance) -> None:
         """Add the sections of one component (not of its parts)."""
         for section, scope in instance.scope.table.sections:
-            env = Env(Context(scope, instance))
+            env = Env(Context(scope, instance), at_event=section.initial)
             target = self.initial if section.initial else self.equations
             start = len(self._translation.assertions)
             if isinstance(section, ast.AlgorithmSection):
@@ -71,7 +71,8 @@ class Equations:
         elif isinstance(node, ast.ConnectEquation):
             self._connect(node, env, target)
         elif isinstance(node, ast.ForEquation):
-            for inner in iterate(self._translation, node.iterators, env):
+            require_parameters(self._translation, node.iterators, env)
+            for inner in iterate(self._translation, node.iterators, env, node.body):
                 for equation in node.body:
                     self._equation(equation, inner, target)
         elif isinstance(node, ast.IfEquation):

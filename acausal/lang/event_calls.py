@@ -117,6 +117,8 @@ def _delay(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
     _require_parameter(translation, times[-1], "delay", arguments[-1].span)
     if any(item.is_const and item.number < 0 for item in times):
         raise type_error("call.delay", "the time of `delay` cannot be negative", node.span)
+    if all(item.is_const for item in times) and times[0].number > times[-1].number:
+        raise type_error("call.delay", "the time of `delay` is larger than its maximum", node.span)
     return elementwise(lambda item: ex.delay(item, *times), value, REAL)
 
 

@@ -4,37 +4,49 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from acausal.errors import UnsupportedProblem, fail
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.flat import Variability
+from acausal.lang.implicit_ranges import implicit_values
 from acausal.lang.references import resolve
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import Value, describe, enumeration_literal, literal, scalar
+from acausal.symbolic.expressions import expr as ex
 
 MAX_ITERATIONS = 200_000
 
 
-def iterate(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> Iterator[Env]:
-    """One environment per combination of the iterators' values, the last one running fastest."""
-    _check_length(translation, iterators, env)
-    return _combinations(translation, iterators, env)
+def iterate(
+    translation: Translation, iterators: Sequence[ast.Iterator], env: Env, body: object
+) -> Iterator[Env]:
+    """One environment per combination of the iterators' values, the last one running fastest.
+
+    `body` is what is repeated: it gives the ranges that are left out.
+    """
+    _check_length(translation, iterators, env, body)
+    return _combinations(translation, iterators, env, body)
 
 
-def _combinations(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> Iterator[Env]:
+def _combinations(
+    translation: Translation, iterators: Sequence[ast.Iterator], env: Env, body: object
+) -> Iterator[Env]:
     if not iterators:
         yield env
         return
-    for value in iterator_values(translation, iterators[0], env):
-        translation.count_work(10, iterators[0].span)
-        yield from _combinations(translation, iterators[1:], env.with_locals({iterators[0].name: value}))
+    first, rest = iterators[0], iterators[1:]
+    for value in iterator_values(translation, first, env, body):
+        translation.count_work(10, first.span)
+        yield from _combinations(translation, rest, env.with_locals({first.name: value}), body)
 
 
-def _check_length(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> None:
+def _check_length(
+    translation: Translation, iterators: Sequence[ast.Iterator], env: Env, body: object
+) -> None:
     """Refuse a loop that would run without end, judged by the first values of its iterators."""
     count = 1
     for iterator in iterators:
-        values = iterator_values(translation, iterator, env)
+        values = iterator_values(translation, iterator, env, body)
         count *= len(values)
         if count > MAX_ITERATIONS:
             message = f"this loop runs more than {MAX_ITERATIONS} times"
@@ -44,17 +56,30 @@ def _check_length(translation: Translation, iterators: Sequence[ast.Iterator], e
         env = env.with_locals({iterator.name: values[0]})
 
 
-def iterator_values(translation: Translation, iterator: ast.Iterator, env: Env) -> list[Value]:
+def require_parameters(translation: Translation, iterators: Sequence[ast.Iterator], env: Env) -> None:
+    """The range of a `for` in an equation section depends on parameters only (8.3.2.1)."""
+    for iterator in iterators:
+        if iterator.range is None or not isinstance(
+            iterator.range, (ast.ComponentReference, ast.ArrayConstructor)
+        ):
+            continue  # others are evaluated at compile time
+        if enumerated(translation, iterator.range, env) is not None:
+            continue
+        value = translation.value(iterator.range, env)
+        names = ex.symbols(value.items) if isinstance(value, Value) else ()
+        for name in names:
+            leaf = translation.leaf(name)
+            if leaf is None or leaf.prefixes.variability > Variability.PARAMETER:
+                message = (
+                    f"the range of `{iterator.name}` may use parameters and constants only, not `{name}`"
+                )
+                raise type_error("for.range", message, iterator.range.span, "", (name,))
+
+
+def iterator_values(translation: Translation, iterator: ast.Iterator, env: Env, body: object) -> list[Value]:
     """The values a `for` index takes."""
     if iterator.range is None:
-        raise fail(
-            UnsupportedProblem,
-            "unsupported.implicit-range",
-            f"the range of `{iterator.name}` is left out, which is not supported yet",
-            iterator.span,
-            names=[iterator.name],
-            hint=f"write `{iterator.name} in 1:n`",
-        )
+        return implicit_values(translation, iterator, body, env)
     kind = enumerated(translation, iterator.range, env)
     if kind is not None:
         return kind

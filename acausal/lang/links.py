@@ -99,7 +99,7 @@ def _links(
         elif isinstance(node, ast.CallEquation):
             yield Link(node.call, env)
         elif isinstance(node, ast.ForEquation):
-            for inner in iterate(translation, node.iterators, env):
+            for inner in iterate(translation, node.iterators, env, node.body):
                 yield from _links(translation, search, node.body, inner)
         elif isinstance(node, ast.IfEquation):
             yield from _links(translation, search, _taken(translation, node, env), env)

@@ -204,7 +204,7 @@ def _for_nested(frame: Frame, iterators: Sequence[ast.Iterator], body: Sequence[
     if not iterators:
         return _statements(frame, body)
     first, rest = iterators[0], iterators[1:]
-    values = iterator_values(frame.translation, first, frame.env())
+    values = iterator_values(frame.translation, first, frame.env(), tuple(body))
     hidden = frame.variables.get(first.name)
     flow = STAYS
     for value in values:

@@ -25,7 +25,7 @@ from acausal.lang.flat import (
     When,
     WhenBranch,
 )
-from acausal.lang.iteration import iterate
+from acausal.lang.iteration import iterate, require_parameters
 from acausal.lang.matching_values import match_values
 from acausal.lang.references import Selection, resolve
 from acausal.lang.translation import Env, Translation
@@ -147,7 +147,8 @@ class _Body:
         elif isinstance(node, ast.IfEquation):
             self.conditional(node, env)
         elif isinstance(node, ast.ForEquation):
-            for inner in iterate(self.translation, node.iterators, env):
+            require_parameters(self.translation, node.iterators, env)
+            for inner in iterate(self.translation, node.iterators, env, node.body):
                 self.equations(node.body, inner)
         elif isinstance(node, ast.CallEquation):
             self.call(node.call, env)

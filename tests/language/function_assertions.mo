@@ -24,6 +24,12 @@ package FunctionAssertions
     end if;
   end safe;
 
+  function text "Of a message, which is evaluated when it is needed"
+    output String y = "z is negative";
+  algorithm
+    assert(false, "never");
+  end text;
+
   model Part
     Real u = time;
     Real y;
@@ -43,6 +49,8 @@ package FunctionAssertions
     Real z;
   algorithm
     z := 1;
+    assert(z > 0, text());
+    assert(x > -1, text());
     if b then
       z := root(x);
     end if;

@@ -1,8 +1,0 @@
-// error: unsupported.implicit-range line 5 names i
-model Test
-  Real x[3];
-equation
-  for i loop
-    x[i] = i;
-  end for;
-end Test;
