@@ -21,7 +21,7 @@ from acausal.errors import Diagnostic, LookupProblem, Source, UsageProblem, fail
 from acausal.lang.flat import FlatModel
 from acausal.lang.library import Library, read_source
 from acausal.pipeline import Compilation, Stage, compile_model, print_stage
-from acausal.sources import add_source, class_name, existing_file, searched_directories, stored_root
+from acausal.sources import FILE_ENDINGS, add_source, class_name, existing_file, searched_directories, stored_root
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.parameters import order_parameters
 
@@ -223,7 +223,7 @@ def _check_only(only: object) -> None:
 
 
 def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[str | Path] = ()) -> Model:
-    """A model by its dotted name on the library path, or from a file `FILE.mo`.
+    """A model by its dotted name on the library path, or from a file `FILE.mo` or `FILE.bmo`.
 
     From a file, `name` picks the class (default: the last one in it); `path` is searched before MODELICAPATH.
     Raises `UsageProblem`, `LookupProblem` and `SyntaxProblem`.
@@ -231,7 +231,7 @@ def load(name_or_path: str | Path, *, name: str | None = None, path: Sequence[st
     began = perf_counter()
     library = Library(searched_directories(path))
     text = str(name_or_path)
-    if text.endswith(".mo"):
+    if text.endswith(FILE_ENDINGS):
         file = existing_file(text)
         library = Library((*library.directories, *stored_root(file)))
         found = add_source(library, read_source(file, text), name, file)
@@ -314,7 +314,7 @@ def summary_of(compilation: Compilation) -> dict[str, object]:
     summary: dict[str, object] = {"model": compilation.node.path}
     flat, causal = compilation.flat, compilation.causal
     if flat is not None:
-        summary |= {"equations": flat.equation_count, "variables": len(flat.unknowns)}
+        summary |= {"model": flat.name, "equations": flat.equation_count, "variables": len(flat.unknowns)}
     if causal is not None:
         largest = max(causal.blocks, key=lambda b: b.size, default=None)
         summary |= {

@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 from acausal.errors import Diagnostic, LookupProblem, Source, Span, UnitProblem, UsageProblem, fail
 from acausal.lang import ast
 from acausal.lang.base_modelica import print_flat
+from acausal.lang.base_reading import decoded_flat, is_base_modelica
 from acausal.lang.flat import FlatModel
 from acausal.lang.flatten import flatten
 from acausal.lang.instance import Instance, print_instance
-from acausal.lang.library import ClassNode, Library
+from acausal.lang.library import ClassNode, Library, name_parts
 from acausal.lang.modifiers import Context, modifier_of_arguments
 from acausal.lang.parser import parse_expression
 from acausal.lang.printer import print_class
@@ -30,6 +31,7 @@ from acausal.lang.scope import Root
 from acausal.lang.translate import Translator
 from acausal.lang.unit_check import check_units
 from acausal.lang.verify import verify
+from acausal.symbolic.expressions.text import plain_name, quoted_name
 
 if TYPE_CHECKING:
     from acausal.codegen.functions import Code
@@ -113,9 +115,9 @@ def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str
             names=[node.path],
             hint="compile a class that extends it",
         )
-    modifier = modifier_of_arguments(
-        [parameter_modification(name, text) for name, text in parameters.items()], Context(scope, None)
-    )
+    name_of = quoted_name if is_base_modelica(node.definition.span.source) else plain_name
+    given = [parameter_modification(name_of(name), text) for name, text in parameters.items()]
+    modifier = modifier_of_arguments(given, Context(scope, None))
     root = translator.instances.complete(translator.instances.model(scope, modifier))
     check_instances(root, translator.instances.check_redeclared)
     return root
@@ -124,6 +126,8 @@ def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str
 def flatten_and_check(translator: Translator, instance: Instance) -> tuple[FlatModel, tuple[Diagnostic, ...]]:
     """The proven flat model, and the warnings about it. A provable unit clash is an error."""
     flat = flatten(translator, instance)
+    if is_base_modelica(instance.scope.span.source):
+        flat = decoded_flat(flat, instance.scope.definition)
     verify(flat)
     check_connectors(instance)
     units = check_units(flat)
@@ -137,7 +141,7 @@ def parameter_modification(name: str, text: str) -> ast.ElementModification:
     """`-p name=text` as a modification of the top-level class."""
     source = Source(f"-p {name}", text)
     span = Span(source, 0, len(text))
-    parts = tuple(name.split("."))
+    parts = tuple(name_parts(name))
     if not all(part.isidentifier() or (part.startswith("'") and part.endswith("'")) for part in parts):
         raise fail(
             UsageProblem,

@@ -7,8 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from acausal.errors import LookupProblem, Source, SyntaxProblem, UsageProblem, fail
-from acausal.lang.library import Library, library_directories
+from acausal.lang.base_reading import as_modelica_text, is_base_modelica, model_of
+from acausal.lang.library import Library, library_directories, name_parts
 from acausal.lang.parser import parse
+
+FILE_ENDINGS = (".mo", ".bmo")
+"""What the name of a file ends in: Modelica, Base Modelica; the latter is told by its first line."""
 
 _IDENTIFIER = r"(?:[^\W\d]\w*|'[^']+')"
 _DOTTED_NAME = re.compile(rf"\.?{_IDENTIFIER}(?:\.{_IDENTIFIER})*")
@@ -46,7 +50,7 @@ def class_name(text: str) -> str:
         problem = f"`{text}` is a folder; a model is a dotted class name or a file FILE.mo"
         hint = "put the folder that holds the package on the library path (--path), and name a class in it"
     elif place.is_file():
-        problem, hint = f"`{text}` does not end in `.mo`", "rename the file, if it holds Modelica"
+        problem, hint = f"`{text}` does not end in `.mo` or `.bmo`", "rename the file, if it holds Modelica"
     else:
         problem, hint = f"`{text}` is neither a dotted class name nor a file FILE.mo", ""
     raise fail(UsageProblem, "usage.model", problem, names=[text], hint=hint)
@@ -62,7 +66,8 @@ def stored_root(file: Path) -> tuple[Path, ...]:
 
 def add_source(library: Library, source: Source, name: str | None, file: Path | None) -> str:
     """Add the classes of a text to the library; returns the full name of the chosen one."""
-    stored = parse(source)
+    base = is_base_modelica(source)
+    stored = parse(as_modelica_text(source) if base else source)
     if not stored.classes:
         hint = "a Modelica file starts with `model Name`"
         raise fail(SyntaxProblem, "syntax.no-class", f"{source.path} holds no class", hint=hint)
@@ -72,6 +77,8 @@ def add_source(library: Library, source: Source, name: str | None, file: Path | 
     for _, definition in stored.classes:
         folder = file.resolve().parent if file is not None and file.name == "package.mo" else None
         library.add(definition, folder)
+    if base and name is None:
+        return library.find(model_of(stored)).path
     if name is None:
         return stored.classes[-1][1].name
     return library.find(_qualified(library, class_name(name), [d.name for _, d in stored.classes])).path
@@ -79,7 +86,7 @@ def add_source(library: Library, source: Source, name: str | None, file: Path | 
 
 def _qualified(library: Library, name: str, tops: Sequence[str]) -> str:
     """`name` as given, or below the last class of the file."""
-    if name.partition(".")[0] in tops:
+    if name_parts(name)[0] in tops:
         return name
     inside = f"{tops[-1]}.{name}"
     try:

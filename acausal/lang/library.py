@@ -8,6 +8,7 @@ those are read only when they are first asked for.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -45,6 +46,14 @@ def bundled_directories() -> list[Path]:
         if found:
             return list(dict.fromkeys(found))
     return []
+
+
+_PART = re.compile(r"'(?:[^'\\]|\\.)*'|[^.']+|'")
+
+
+def name_parts(dotted: str) -> list[str]:
+    """The identifiers of a dotted name; a quoted one may hold dots itself."""
+    return _PART.findall(dotted) or [dotted]
 
 
 class ClassNode:
@@ -261,7 +270,7 @@ class Library:
 
     def find(self, dotted: str, span: Span | None = None) -> ClassNode:
         """The class with this full name. Raises `LookupProblem` with the nearest names."""
-        parts = dotted.split(".")
+        parts = name_parts(dotted)
         node = self.top_level(parts[0])
         siblings: Callable[[], list[str]] = self.top_level_names
         for i, part in enumerate(parts):

@@ -14,7 +14,7 @@ from acausal.lang import ast
 from acausal.lang.access import check_complete, check_import, check_inside, is_protected
 from acausal.lang.class_table import ClassEntry, ComponentEntry, Table, build_table
 from acausal.lang.imports import Imported
-from acausal.lang.library import ClassNode, Library
+from acausal.lang.library import ClassNode, Library, name_parts
 from acausal.lang.light import light_object
 from acausal.lang.lookup_errors import (
     ambiguous_import,
@@ -67,7 +67,7 @@ class Root:
     def find(self, dotted: str) -> Scope:
         """The scope of a class given by its full name."""
         self.library.find(dotted)
-        first, *rest = dotted.split(".")
+        first, *rest = name_parts(dotted)
         current = self.top(first)
         assert current is not None  # the library has found it
         for part in rest:
