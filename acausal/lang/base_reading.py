@@ -89,6 +89,7 @@ def decoded_flat(flat: FlatModel, definition: ast.ClassDefinition) -> FlatModel:
     type_name = _type_namer(package)
     rename = _renamer(flat, type_name)
     hidden = frozenset(_protected(definition))
+    flat = _with_initial_branches(flat)
     return replace(
         flat,
         name=decoded(definition.name),
@@ -98,6 +99,31 @@ def decoded_flat(flat: FlatModel, definition: ast.ClassDefinition) -> FlatModel:
         assertions=_assertions(flat.assertions, rename),
         whens=tuple([_when(when, rename) for when in flat.whens]),
     )
+
+
+def _with_initial_branches(flat: FlatModel) -> FlatModel:
+    """When-clauses with what they do at initialisation, which Base Modelica writes as initial equations.
+
+    `v = pre(v)` goes without saying; of a clause whose variables all have a value there, these equations
+    become its branch `initial()`.
+    """
+    values = {e.left: e for e in flat.initial_equations if e.right is not ex.pre(e.left)}
+    implied = {e.left: e for e in flat.initial_equations if e.right is ex.pre(e.left)}
+    taken: dict[int, None] = {}
+    whens: list[When] = []
+    for when in flat.whens:
+        left = when.assigned
+        silent = not any(c.op == "initial" for branch in when.branches for c in branch.conditions)
+        given = [values[v] for v in left if v in values and v not in implied]
+        if silent and left and len(given) == len(left):
+            start = WhenBranch((ex.initial(),), tuple(given), (), (), (), when.span)
+            when = replace(when, branches=(start, *when.branches))
+            taken |= {id(e): None for e in given}
+        elif silent:
+            taken |= {id(implied[v]): None for v in left if v in implied}
+        whens.append(when)
+    kept = tuple([e for e in flat.initial_equations if id(e) not in taken])
+    return replace(flat, initial_equations=kept, whens=tuple(whens))
 
 
 _Rename = Callable[[Expr], Expr]
