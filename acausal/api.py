@@ -18,10 +18,18 @@ from time import perf_counter
 from typing import TYPE_CHECKING, SupportsIndex, TypeAlias, cast
 
 from acausal.errors import Diagnostic, LookupProblem, Source, UsageProblem, fail
+from acausal.lang.base_reading import decoded, is_base_modelica
 from acausal.lang.flat import FlatModel
 from acausal.lang.library import Library, read_source
 from acausal.pipeline import Compilation, Stage, compile_model, print_stage
-from acausal.sources import FILE_ENDINGS, add_source, class_name, existing_file, searched_directories, stored_root
+from acausal.sources import (
+    FILE_ENDINGS,
+    add_source,
+    class_name,
+    existing_file,
+    searched_directories,
+    stored_root,
+)
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.parameters import order_parameters
 
@@ -47,6 +55,12 @@ class Model:
     name: str
     parse_seconds: float = 0.0
     """What reading and parsing it took; files of a library that it uses are read when they are needed."""
+
+    @property
+    def title(self) -> str:
+        """The full name; of a file of Base Modelica, that of the model it was made from."""
+        definition = self.library.find(self.name).definition
+        return decoded(definition.name) if is_base_modelica(definition.span.source) else self.name
 
     def check(
         self, parameters: Mapping[str, ParameterValue] | None = None, /, **more: ParameterValue

@@ -62,7 +62,7 @@ def run_check(target: Target, *, as_json: bool) -> None:
         return
     print_diagnostics(warnings)
     count = f", {len(warnings)} warning{'s' if len(warnings) != 1 else ''}" if warnings else ""
-    print_text(f"{model.name}: no errors{count}")
+    print_text(f"{model.title}: no errors{count}")
 
 
 def run_compile(target: Target, *, stop_after: Stage | None, show: Stage | None, as_json: bool) -> None:

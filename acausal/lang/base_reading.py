@@ -161,9 +161,7 @@ def _expressions(flat: FlatModel) -> Iterator[Expr]:
         yield from (termination.message for termination in branch.terminations)
 
 
-def _variable(
-    v: Variable, rename: _Rename, type_name: Callable[[str], str], protected: bool
-) -> Variable:
+def _variable(v: Variable, rename: _Rename, type_name: Callable[[str], str], protected: bool) -> Variable:
     def maybe(expression: Expr | None) -> Expr | None:
         return None if expression is None else rename(expression)
 
