@@ -12,7 +12,10 @@ StageName: TypeAlias = Literal["ast", "instance", "flat", "causal", "code"]
 EventsName: TypeAlias = Literal["locate", "step"]
 
 _Model = Annotated[
-    str, typer.Argument(metavar="MODEL", help="A class by its dotted name on the library path, or FILE.mo (or .bmo).")
+    str,
+    typer.Argument(
+        metavar="MODEL", help="A class by its dotted name on the library path, or FILE.mo (or .bmo)."
+    ),
 ]
 _Class = Annotated[
     str | None,

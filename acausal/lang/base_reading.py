@@ -117,11 +117,11 @@ def _with_initial_branches(flat: FlatModel) -> FlatModel:
         given = [values[v] for v in left if v in values and v not in implied]
         if silent and left and len(given) == len(left):
             start = WhenBranch((ex.initial(),), tuple(given), (), (), (), when.span)
-            when = replace(when, branches=(start, *when.branches))
             taken |= {id(e): None for e in given}
-        elif silent:
-            taken |= {id(implied[v]): None for v in left if v in implied}
-        whens.append(when)
+            whens.append(replace(when, branches=(start, *when.branches)))
+        else:
+            taken |= {id(implied[v]): None for v in left if silent and v in implied}
+            whens.append(when)
     kept = tuple([e for e in flat.initial_equations if id(e) not in taken])
     return replace(flat, initial_equations=kept, whens=tuple(whens))
 
