@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 from acausal.errors import Diagnostic, LookupProblem, Source, Span, UnitProblem, UsageProblem, fail
 from acausal.lang import ast
+from acausal.lang.access import is_partial
 from acausal.lang.base_modelica import print_flat
 from acausal.lang.base_reading import decoded_flat, is_base_modelica
 from acausal.lang.flat import FlatModel
@@ -106,7 +107,7 @@ def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str
             names=[node.path],
             hint="name a model inside it" if scope.kind == "package" else "put it into a model",
         )
-    if scope.definition.class_prefixes.partial:
+    if is_partial(scope):
         raise fail(
             LookupProblem,
             "model.partial",
@@ -119,7 +120,7 @@ def instantiate(translator: Translator, node: ClassNode, parameters: Mapping[str
     given = [parameter_modification(name_of(name), text) for name, text in parameters.items()]
     modifier = modifier_of_arguments(given, Context(scope, None))
     root = translator.instances.complete(translator.instances.model(scope, modifier))
-    check_instances(root, translator.instances.check_redeclared)
+    check_instances(root, translator)
     return root
 
 

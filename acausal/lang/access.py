@@ -102,3 +102,26 @@ def is_partial(scope: Scope) -> bool:
             return False
         current = current.table.bases[0].scope
     return True
+
+
+def check_not_replaceable(scope: Scope, reference: ast.ComponentReference) -> None:
+    """The class of an `extends` clause cannot change (6.3.1, 7.1.4). Raises `extends.replaceable`."""
+    for current in scope.steps(reference):
+        if _is_replaceable(current):
+            raise fail(
+                TypeProblem,
+                "extends.replaceable",
+                f"`{scope.path}` extends `{reference.text}`, but `{current.node.name}` is replaceable",
+                reference.span,
+                names=[scope.path, current.path],
+                hint="extend a class that is not replaceable (Modelica 3.6, 7.1.4)",
+            )
+
+
+def _is_replaceable(scope: Scope) -> bool:
+    """Whether a class, or what its short definition stands for, may be redeclared."""
+    if scope.definition.prefixes.replaceable:
+        return True
+    if not isinstance(scope.definition, ast.ShortClass) or scope.known_table is None:
+        return False
+    return _is_replaceable(scope.known_table.bases[0].scope)

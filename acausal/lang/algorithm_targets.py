@@ -13,7 +13,7 @@ from acausal.lang.function_frame import Frame
 from acausal.lang.instance import Array, Instance, Leaf, Member
 from acausal.lang.light import light_object
 from acausal.lang.matching_values import match_values
-from acausal.lang.references import Selection, resolve, selection_value
+from acausal.lang.references import Selection, refuse_conditional, resolve, selection_value
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
 from acausal.symbolic.expressions.expr import Expr
@@ -42,6 +42,7 @@ def target_value(
 ) -> AnyValue:
     """The variables that a reference on the left names, as symbols. Raises `assignment.*`."""
     found = resolve(translation, target, env)
+    refuse_conditional(target, env)
     if not isinstance(found, Selection) or found.constant:
         message = f"`{target.text}` is not a variable and cannot be assigned"
         raise type_error("assignment.target", message, target.span, "", (target.text,))

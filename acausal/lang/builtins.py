@@ -33,9 +33,28 @@ _MATH = (
 def _math(name: str) -> Builtin:
     def apply(args: Sequence[AnyValue], span: Span) -> Value:
         (a,) = numbers(args, span, name, 1)
+        check_domain(name, a, span)
         return elementwise(lambda item: ex.function(name, item), a, REAL)
 
     return apply
+
+
+_DOMAINS: dict[str, tuple[Callable[[float], bool], str]] = {
+    "asin": (lambda x: -1 <= x <= 1, "from -1 to 1"),
+    "acos": (lambda x: -1 <= x <= 1, "from -1 to 1"),
+    "log": (lambda x: x > 0, "above 0"),
+    "log10": (lambda x: x > 0, "above 0"),
+    "sqrt": (lambda x: x >= 0, "from 0 on"),
+}
+
+
+def check_domain(name: str, argument: Value, span: Span) -> None:
+    """A number that is no argument of the function (3.7.3). Raises `call.domain`."""
+    inside, range_ = _DOMAINS.get(name, (None, ""))
+    for item in argument.items if inside is not None else ():
+        if item.is_const and inside is not None and not inside(item.number):
+            message = f"`{name}` takes numbers {range_}, not {item.number:g}"
+            raise type_error("call.domain", message, span, "see Modelica 3.6, 3.7.3", (name,))
 
 
 def _abs(args: Sequence[AnyValue], span: Span) -> Value:

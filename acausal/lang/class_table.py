@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from acausal.errors import AcausalError, LookupProblem, Span, TypeProblem, fail
 from acausal.lang import ast
+from acausal.lang.access import check_not_replaceable
 from acausal.lang.library import ClassNode
 from acausal.lang.light import light_object
 from acausal.lang.lookup_errors import class_extends, duplicate, unknown_target
@@ -22,8 +23,14 @@ from acausal.lang.modifiers import (
     modifier_of,
     not_replaceable,
     redeclaration_of,
+    same_contents,
 )
-from acausal.lang.redeclarations import check_class_element, check_component_element
+from acausal.lang.redeclarations import (
+    check_class_element,
+    check_component_element,
+    inherited_class,
+    same_class,
+)
 from acausal.lang.restrictions import check_base, check_class, check_combination
 
 if TYPE_CHECKING:  # a scope has a table of elements, an element knows its scope
@@ -47,6 +54,14 @@ class ComponentEntry:
     through: tuple[Modifier, ...] = ()
     below: tuple[Modifier, ...] = ()
     replaces: ComponentEntry | None = None
+
+    @property
+    def written(self) -> Modifier:
+        """What the declaration and the `extends` clauses on the way to it say."""
+        whole = NO_MODIFIER
+        for modifier in (*self.through, self.own):
+            whole = merge(whole, modifier, self.name)
+        return whole
 
     @property
     def constraint(self) -> Modifier:
@@ -142,6 +157,7 @@ def _fill(scope: Scope, table: Table, definition: ast.LongClass) -> None:
     for element in definition.body.elements:
         if isinstance(element, ast.Extends):
             base = scope.base_class(element.type)
+            check_not_replaceable(scope, element.type)
             static = modifier_of(element.modification, Context(scope, None))
             _inherit(scope, table, Base(base, static, None, scope, element.span), element.protected)
         elif isinstance(element, ast.ComponentClause):
@@ -201,7 +217,9 @@ def _inherit(scope: Scope, table: Table, written: Base, protected: bool) -> None
     for name, entry in inherited.components.items():
         _add_inherited(scope, table, entry, static.children.get(name), protected)
     for name, entry in inherited.classes.items():
-        table.classes.setdefault(name, entry)
+        own = table.classes.setdefault(name, entry)
+        if own.scope is scope and not same_class(own.node.definition, entry.node.definition):
+            raise inherited_class(name, own.node.definition.span, entry.node.definition.span)
     table.hidden.update(inherited.classes if protected else inherited.hidden)
     table.sections += inherited.sections
     if len(table.sections) > MAX_SECTIONS:
@@ -285,8 +303,8 @@ def _same_declaration(a: ComponentEntry, b: ComponentEntry) -> bool:
         and a.protected == b.protected
         and (a.clause.flow, a.clause.variability, a.clause.causality)
         == (b.clause.flow, b.clause.variability, b.clause.causality)
-        and (first.dimensions, first.modification, first.condition)
-        == (second.dimensions, second.modification, second.condition)
+        and (first.dimensions, first.condition) == (second.dimensions, second.condition)
+        and (first.modification == second.modification or same_contents(a.written, b.written))
     )
 
 
@@ -300,15 +318,8 @@ def _add_class(scope: Scope, table: Table, element: ast.ClassDefinition) -> None
         raise duplicate(element.name, scope, element.span, old.node.definition.span if old else None)
     if element.prefixes.redeclare:
         return  # see _redeclare_classes
-    if old is not None and element != old.node.definition:
-        raise fail(
-            TypeProblem,
-            "redeclare.missing",
-            f"`{element.name}` is inherited, so it cannot be declared again without `redeclare`",
-            element.span,
-            names=[element.name],
-            hint=f"write `redeclare`, or use another name; it is inherited from {old.node.definition.span}",
-        )
+    if old is not None and not same_class(element, old.node.definition):
+        raise inherited_class(element.name, element.span, old.node.definition.span)
     table.classes[element.name] = ClassEntry(element.name, node, scope, scope.modifier.child(element.name))
 
 

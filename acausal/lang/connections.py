@@ -96,6 +96,7 @@ def _connect(
         for name in names:
             x, y = a.members[name], b.members[name]
             if not isinstance(x, Outer) and not isinstance(y, Outer):
+                _check_directions(a, x, y, span)
                 _connect(sets, (x, a_inside), (y, b_inside), span, component)
     elif isinstance(a, Absent) or isinstance(b, Absent):
         return
@@ -112,6 +113,14 @@ def _size(member: Member) -> str:
     return f"[{', '.join(map(str, member.shape))}]" if isinstance(member, Array) else "scalar"
 
 
+def _check_directions(a: Instance, x: Member, y: Member, span: Span) -> None:
+    """Inputs and outputs meet inputs and outputs (9.3), but in expandable connectors, which have neither."""
+    if isinstance(x, Leaf) and isinstance(y, Leaf) and not a.scope.definition.class_prefixes.expandable:
+        directed = [leaf for leaf in (x, y) if leaf.prefixes.causality is not Causality.LOCAL]
+        if len(directed) == 1:
+            raise mismatch(x, y, span, f"only `{directed[0].path}` is an input or output")
+
+
 def _connect_leaves(
     sets: ConnectionSets, left: tuple[Leaf, bool], right: tuple[Leaf, bool], span: Span, component: str
 ) -> None:
@@ -123,6 +132,8 @@ def _connect_leaves(
         raise mismatch(a, b, span, f"one is a {kind} variable, the other is not")
     parameters = [x for x in (a, b) if x.prefixes.variability <= Variability.PARAMETER]
     if len(parameters) == 2:
+        if a.prefixes.variability is not b.prefixes.variability:
+            raise mismatch(a, b, span, "one is a parameter, the other a constant")
         sets.constants.append((a, b, span))
         return
     if parameters:

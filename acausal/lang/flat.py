@@ -237,6 +237,8 @@ class FlatModel:
     span: Span
     warnings: tuple[Diagnostic, ...] = ()
     whens: tuple[When, ...] = ()
+    declared_units: tuple[tuple[Expr, str], ...] = ()
+    """Results of inlined functions, and the unit that their output declares; inner calls first."""
 
     @property
     def equation_count(self) -> int:

@@ -61,6 +61,7 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         span=root.scope.span,
         warnings=tuple(translator.warnings),
         whens=streams.resolved(work.whens),
+        declared_units=tuple(translator.declared_units.items()),
     )
 
 

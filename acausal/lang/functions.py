@@ -12,6 +12,7 @@ from math import prod
 
 from acausal.errors import AcausalError, UnsupportedProblem
 from acausal.lang import ast
+from acausal.lang.access import is_partial
 from acausal.lang.arithmetic import type_error
 from acausal.lang.builtins import BUILTINS
 from acausal.lang.class_table import ComponentEntry
@@ -28,6 +29,7 @@ from acausal.lang.function_frame import (
     new_frame,
 )
 from acausal.lang.function_kernels import at_events
+from acausal.lang.function_units import note_unit
 from acausal.lang.function_values import function_value, is_function_type
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
@@ -42,7 +44,7 @@ def call_function(translation: Translation, scope: Scope, node: ast.Call, env: E
     if scope.kind != "function" and not any(base.scope.kind == "function" for base in scope.table.bases):
         message = f"`{scope.path}` is a {scope.kind}, not a function"
         raise type_error("call.not-a-function", message, node.span, "", (scope.path,))
-    if scope.definition.class_prefixes.partial:
+    if is_partial(scope):
         message = f"`{scope.path}` is a partial function and cannot be called"
         raise type_error("type.partial", message, node.span, "call one that extends it", (scope.path,))
     translation.instances.check_redeclared(scope)
@@ -162,6 +164,7 @@ def _run(
         if entry.name not in frame.assigned and not _is_empty(frame, entry):
             message = f"the output `{entry.name}` of `{scope.path}` is never assigned"
             raise type_error("function.unassigned", message, entry.declaration.span, "", (entry.name,))
+        note_unit(translation, entry, frame.variables[entry.name])
     return [frame.variables[entry.name] for entry in outputs]
 
 
@@ -193,6 +196,11 @@ def _broadcast(
             extra, spread[entry.name] = more, value
     if not extra:
         return None
+    outputs = [e for e in scope.table.components.values() if e.clause.causality == "output"]
+    if len(outputs) > 1 or declared_rank(translation, outputs[0]):
+        message = f"`{scope.path}` is called with arrays of what it takes, but it has no single scalar result"
+        hint = "only functions with one scalar result work element by element (Modelica 3.6, 12.4.6)"
+        raise type_error("call.element-wise", message, node.span, hint, (scope.path,))
     columns: list[list[AnyValue]] = []
     for k in range(prod(extra)):
         picked = dict(given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from acausal.errors import AcausalError, LookupProblem, Span, TypeProblem, UnsupportedProblem, fail
+from acausal.lang.access import is_partial
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.instance import Instance
 from acausal.lang.modifiers import Modifier
@@ -12,7 +13,6 @@ from acausal.lang.scope import Scope
 
 def check_instantiable(scope: Scope, path: str, span: Span) -> None:
     """Raise unless components of the class can be built."""
-    definition = scope.definition
     if scope.kind in ("package", "function"):
         raise fail(
             TypeProblem,
@@ -22,7 +22,7 @@ def check_instantiable(scope: Scope, path: str, span: Span) -> None:
             names=[path],
             hint="use a model, block, connector, record or type",
         )
-    if definition.class_prefixes.partial:
+    if is_partial(scope):
         raise fail(
             TypeProblem,
             "type.partial",

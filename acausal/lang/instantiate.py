@@ -48,7 +48,7 @@ from acausal.lang.modifiers import (
     overrides_final,
 )
 from acausal.lang.overdetermined import Overdetermined
-from acausal.lang.redeclarations import check_not_constant, declared_constraints, redeclared_constraints
+from acausal.lang.redeclarations import check_not_constant, constraints_of, redeclared_modifier
 from acausal.lang.restrictions_functions import check_used
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
@@ -291,14 +291,15 @@ class Instantiator:
         check_not_constant(entry, redeclaration.span)
         where, inside = redeclaration.context.scope, redeclaration.context.instance
         own = modifier_of(element.declarations[0].modification, redeclaration.context)
-        below = merge(own, bound(entry.constraint, instance), path)
+        kept = merge(redeclared_modifier(redeclaration), bound(entry.constraint, instance), path)
+        below = merge(own, kept, path)
         beside = Modifier(
             outside.binding, outside.children, None, outside.final, outside.span, outside.beside
         )
         new = where.find_class(element.type)
         if not entry.clause.prefixes.replaceable and new is not self._type_of(entry):
             raise not_replaceable(path, redeclaration.span, entry.declaration.span)
-        constraints = (*redeclared_constraints(redeclaration), *declared_constraints(entry))
+        constraints = constraints_of(redeclaration, entry)
         check_component_redeclaration(path, new, constraints, redeclaration.span, self._types)
         declaration = element.declarations[0]
         has_sizes = declaration.dimensions is not None or element.dimensions is not None

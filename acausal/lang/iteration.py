@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
-from acausal.lang.flat import Variability
+from acausal.lang.flat import BOOLEAN, Variability
 from acausal.lang.implicit_ranges import implicit_values
 from acausal.lang.references import resolve
 from acausal.lang.scope import Scope
@@ -100,6 +100,8 @@ def enumerated(translation: Translation, node: ast.Expression, env: Env) -> list
     if not isinstance(resolved, Scope):
         return None
     simple = translation.instances.simple_type(resolved)
+    if simple is not None and simple.scalar == BOOLEAN:
+        return [literal(False), literal(True)]
     if simple is None or not simple.scalar.is_enumeration:
         return None
     return [enumeration_literal(simple.scalar, i) for i in range(1, len(simple.scalar.literals) + 1)]

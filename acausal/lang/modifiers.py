@@ -267,6 +267,17 @@ def _merge_children(outer: dict[str, Modifier], inner: dict[str, Modifier], path
     return children
 
 
+def same_contents(a: Modifier, b: Modifier) -> bool:
+    """Whether two trees say the same with the same expressions."""
+    first = None if a.binding is None else a.binding.expression
+    second = None if b.binding is None else b.binding.expression
+    if first != second or len(a.children) != len(b.children) or a.final != b.final:
+        return False
+    if a.redeclaration is not b.redeclaration:
+        return False
+    return all(name in b.children and same_contents(x, b.children[name]) for name, x in a.children.items())
+
+
 def overrides_final(path: str, span: Span | None, where: Span | None) -> AcausalError:
     """The error for a modification of something final."""
     return fail(

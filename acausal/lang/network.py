@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from acausal.errors import Span
 from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
+from acausal.lang.connection_errors import not_a_connector
 from acausal.lang.connection_nodes import connector_side
 from acausal.lang.expandable import Expansion, expand
 from acausal.lang.instance import Instance, Leaf
@@ -85,6 +86,8 @@ class Network:
             message = "`cardinality` needs a connector"
             raise type_error("call.arguments", message, argument.span, "", ("cardinality",))
         members = connector_side(self._translation, argument, env).members
+        if isinstance(members[0], Leaf) and not members[0].connector:
+            raise not_a_connector(members[0], argument.span)
         if self._counts is None:
             self._counts = self._count(argument.span)
         return self._counts.get(members[0].path, 0) if len(members) == 1 else 0

@@ -13,6 +13,7 @@ from acausal.lang.modifiers import (
     Context,
     Modifier,
     Redeclaration,
+    merge,
     modifier_of,
     not_replaceable,
     overrides_final,
@@ -39,6 +40,39 @@ def check_class_element(old: ClassEntry, new: ast.ClassDefinition, protected: bo
         raise overrides_final(old.name, new.span, definition.span)
     if protected != new.prefixes.protected:
         raise _visibility(old.name, protected, new.span, definition.span)
+
+
+def same_class(a: ast.ClassDefinition, b: ast.ClassDefinition) -> bool:
+    """Whether two definitions say the same, descriptions and annotations aside (7.1)."""
+    if isinstance(a, ast.ShortClass) and isinstance(b, ast.ShortClass):
+        return _short_contents(a) == _short_contents(b)
+    return a is b or a == b
+
+
+def _short_contents(definition: ast.ShortClass) -> tuple[object, ...]:
+    constraint = definition.constraint
+    return (
+        definition.kind,
+        definition.class_prefixes,
+        definition.prefixes,
+        definition.causality,
+        definition.base,
+        definition.dimensions,
+        definition.modification,
+        None if constraint is None else (constraint.type, constraint.modification),
+    )
+
+
+def inherited_class(name: str, span: Span, where: Span) -> AcausalError:
+    """The error for a class that is inherited and declared too (7.1)."""
+    return fail(
+        TypeProblem,
+        "redeclare.missing",
+        f"`{name}` is inherited, so it cannot be declared again without `redeclare`",
+        span,
+        names=[name],
+        hint=f"write `redeclare`, or use another name; it is inherited from {where}",
+    )
 
 
 def check_not_constant(old: ComponentEntry, span: Span) -> None:
@@ -102,7 +136,19 @@ def redeclared_class(entry: ClassEntry) -> NestedClass:
         raise overrides_final(entry.name, redeclaration.span, entry.node.definition.span)
     where = redeclaration.context.scope
     constraints = (*redeclared_constraints(redeclaration), _constraint(entry))
-    return NestedClass(redeclaration.node, where, rest, kept_modifier(entry), constraints)
+    kept = merge(redeclared_modifier(redeclaration), kept_modifier(entry), entry.name)
+    return NestedClass(redeclaration.node, where, rest, kept, constraints)
+
+
+def redeclared_modifier(redeclaration: Redeclaration) -> Modifier:
+    """What the constraining clauses of redeclarations modify, which all later ones keep (7.3.2)."""
+    kept = NO_MODIFIER
+    current: Redeclaration | None = redeclaration
+    while current is not None:
+        if current.constraint is not None:
+            kept = merge(kept, modifier_of(current.constraint.modification, current.context))
+        current = current.previous
+    return kept
 
 
 def redeclared_constraints(redeclaration: Redeclaration) -> tuple[Scope, ...]:
@@ -132,6 +178,11 @@ def _constraint(entry: ClassEntry) -> Scope:
     if constraint is not None:
         return entry.scope.find_class(constraint.type)
     return entry.scope.plain_nested(entry)
+
+
+def constraints_of(redeclaration: Redeclaration, entry: ComponentEntry) -> tuple[Scope, ...]:
+    """The constraining types of a redeclared component, the nearest first (7.3.2)."""
+    return (*redeclared_constraints(redeclaration), *declared_constraints(entry))
 
 
 def declared_constraints(entry: ComponentEntry) -> tuple[Scope, ...]:

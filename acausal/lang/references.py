@@ -13,7 +13,7 @@ from acausal.errors import Span
 from acausal.lang import ast
 from acausal.lang.access import check_complete, check_inside
 from acausal.lang.arithmetic import as_value, type_error
-from acausal.lang.class_table import ClassEntry
+from acausal.lang.class_table import ClassEntry, ComponentEntry
 from acausal.lang.flat import ScalarType, Variability
 from acausal.lang.instance import Absent, Array, Instance, Leaf, Member, Outer
 from acausal.lang.light import light_object
@@ -155,16 +155,25 @@ def refuse_conditional(node: ast.ComponentReference, env: Env) -> None:
     instance = env.context.instance
     if node.global_:
         return
-    for part in node.parts:
+    for i, part in enumerate(node.parts):
         entry = None if instance is None else instance.scope.table.components.get(part.name)
         if instance is None or entry is None:
             return
         if entry.declaration.condition is not None:
             raise conditional(entry, part)
+        if entry.clause.prefixes.outer and i + 1 < len(node.parts):
+            _check_declared(entry, node.parts[i + 1])
         member = instance.members.get(part.name)
         while isinstance(member, (Array, Outer)):
             member = member.target if isinstance(member, Outer) else next(iter(member.items), None)
         instance = member if isinstance(member, Instance) else None
+
+
+def _check_declared(entry: ComponentEntry, part: ast.NamePart) -> None:
+    """Of an `outer` component only what its own type has may be used (5.4)."""
+    scope = entry.scope.find_class(entry.clause.type)
+    if part.name not in scope.table.components:
+        raise no_such_element(part, scope)
 
 
 # --------------------------------------------------------------------------- walking members

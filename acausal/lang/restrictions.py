@@ -221,8 +221,18 @@ def check_base(scope: Scope, base: Scope, span: Span) -> None:
     derived, other = kind_name(scope.definition), kind_name(base.definition)
     if other not in (derived, "class") and other not in _OTHER_BASES.get(derived, ()):
         raise _bad_base(scope, base, span, f"{_a(derived)} cannot extend {_a(other)}")
+    if other == "package" and _holds_operator_record(base.definition):
+        raise _bad_base(scope, base, span, "it contains an operator record, which would be inherited (4.6)")
     if other == "operator record" and isinstance(scope.definition, ast.LongClass):
         raise _bad_base(scope, base, span, "only a short class definition may extend an operator record")
+
+
+def _holds_operator_record(definition: ast.ClassDefinition) -> bool:
+    """Whether a class of the text is an operator record; short definitions of one are none (4.6)."""
+    if not isinstance(definition, ast.LongClass):
+        return False
+    inside = [element for element in definition.body.elements if isinstance(element, ast.LongClass)]
+    return any(kind_name(element) == "operator record" for element in inside)
 
 
 def _a(kind: str) -> str:

@@ -7,15 +7,16 @@ the size of the tree.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from acausal.errors import AcausalError, Span, TypeProblem, fail
+from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.flat import Causality, Variability
 from acausal.lang.instance import Array, Connection, Instance, Leaf, Member, Outer, Prefixes, leaves
 from acausal.lang.predefined import EXTERNAL_OBJECT
 from acausal.lang.restrictions import kind_name
+from acausal.lang.restrictions_outer import check_outer
 from acausal.lang.scope import Scope
+from acausal.lang.translation import Translation
 
 _STRUCTURED = ("record", "connector", "type")
 _INSIDE: dict[str, tuple[str, ...]] = {
@@ -23,11 +24,10 @@ _INSIDE: dict[str, tuple[str, ...]] = {
     "connector": ("record", "type", "connector"),
 }
 _CONSTRAINT = "equalityConstraint"
-_MOST_LEVELS = 10
 
 
-def check_instances(root: Instance, check_class: Callable[[Scope], None]) -> None:
-    """Raise for the first component that breaks a rule; `check_class` judges redeclared classes."""
+def check_instances(root: Instance, translation: Translation) -> None:
+    """Raise for the first component that breaks a rule, and for redeclared classes, used or not."""
     seen: set[tuple[Scope, Prefixes]] = set()
     stack: list[Member | Outer] = [root]
     while stack:
@@ -41,7 +41,10 @@ def check_instances(root: Instance, check_class: Callable[[Scope], None]) -> Non
                 seen.add(key)
                 _check_parts(member)
                 for scope in _redeclared(member.scope):
-                    check_class(scope)
+                    translation.instances.check_redeclared(scope)
+            for name, part in member.members.items():
+                if isinstance(part, Outer):
+                    check_outer(member, name, part, translation)
             if member.scope.kind == "block":
                 _check_directions(member)
             stack.extend([part for part in reversed(member.members.values()) if not isinstance(part, Leaf)])
@@ -115,6 +118,7 @@ def _check_kind(entry: ComponentEntry, scope: Scope) -> None:
         raise _error("component.prefix", message, entry.clause.span, "4.4.2.2", name)
     if scope.kind == "connector":
         _check_variable_connector(entry)
+    _check_flow_record(entry, scope)
 
 
 def _check_variable_connector(entry: ComponentEntry) -> None:
@@ -122,6 +126,17 @@ def _check_variable_connector(entry: ComponentEntry) -> None:
     if prefix in ("parameter", "constant"):
         message = f"the connector `{entry.name}` cannot have the prefix `{prefix}`"
         raise _error("component.prefix", message, entry.clause.span, "9.3", entry.name)
+
+
+def _check_flow_record(entry: ComponentEntry, scope: Scope) -> None:
+    """A flow of an operator record can be added: it has `'0'`, `'+'` and `'-'` (9.2)."""
+    if not entry.clause.flow or not scope.definition.class_prefixes.operator:
+        return
+    missing = [name for name in ("'0'", "'+'", "'-'") if scope.find_class_entry(name) is None]
+    if missing:
+        message = f"the flow `{entry.name}` is of the operator record `{scope.path}`, which has no operator "
+        message += " and no ".join(f"`{name}`" for name in missing)
+        raise _error("component.flow-record", message, entry.clause.span, "9.2", entry.name, scope.path)
 
 
 def _is_external(scope: Scope) -> bool:
@@ -159,7 +174,9 @@ def _check_balance(connector: Instance) -> None:
             flows += 1
         elif prefixes.connection is Connection.POTENTIAL:
             potentials += 1
-    if flows != potentials and not _is_overdetermined(connector.scope):
+    if flows != potentials:
+        potentials += _overdetermined(connector)
+    if flows != potentials:
         raise fail(
             TypeProblem,
             "connector.unbalanced",
@@ -175,14 +192,37 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}" + ("" if number == 1 else "s")
 
 
-def _is_overdetermined(scope: Scope, depth: int = 0) -> bool:
-    """Whether the class or one of its parts has an `equalityConstraint` function (9.4.1)."""
-    if scope.is_predefined or depth > _MOST_LEVELS:
-        return False
-    if scope.find_class_entry(_CONSTRAINT) is not None:
-        return True
-    inner = [entry.scope.find_class(entry.clause.type) for entry in scope.table.components.values()]
-    return any(_is_overdetermined(part, depth + 1) for part in inner)
+def _overdetermined(connector: Instance) -> int:
+    """How many variables of overdetermined types and records do not count (9.3.1): a number below zero."""
+    difference = 0
+    stack = [connector]
+    while stack:
+        instance = stack.pop()
+        for name, member in instance.members.items():
+            entry = instance.scope.table.components[name]
+            residue = _residue_size(entry.scope.find_class(entry.clause.type))
+            if isinstance(member, Outer) or entry.clause.flow:
+                continue
+            if residue is not None:
+                difference += residue - len(list(leaves(member)))
+            elif isinstance(member, Instance):
+                stack.append(member)
+            elif isinstance(member, Array):
+                stack.extend([item for item in member.items if isinstance(item, Instance)])
+    return difference
+
+
+def _residue_size(scope: Scope) -> int | None:
+    """The size of the result of the class's `equalityConstraint` function; None if it has none."""
+    entry = None if scope.is_predefined else scope.find_class_entry(_CONSTRAINT)
+    if entry is None:
+        return None
+    for output in scope.nested(entry).table.components.values():
+        sizes = output.declaration.dimensions or output.clause.dimensions
+        if output.clause.causality == "output" and sizes is not None:
+            size = sizes.items[0]
+            return size.value if isinstance(size, ast.IntegerLiteral) else None
+    return None
 
 
 def _check_directions(block: Instance) -> None:

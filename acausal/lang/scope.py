@@ -281,6 +281,19 @@ class Scope:
             current = current.find_inside(part.name, part.span)
         return current
 
+    def steps(self, reference: ast.ComponentReference) -> list[Scope]:
+        """The classes that the parts of a class's name stand for, one after the other."""
+        first = reference.parts[0].name
+        current = self.root.top(first) if reference.global_ else self.find(first)
+        found: list[Scope] = []
+        for part in (*reference.parts[1:], None):
+            if not isinstance(current, Scope):
+                break
+            found.append(current)
+            if part is not None:
+                current = current.find_nested(part.name, part.span)
+        return found
+
     def base_class(self, reference: ast.ComponentReference) -> Scope:
         """The class that an `extends` clause or the right side of a short class names.
 

@@ -35,6 +35,7 @@ from acausal.lang.index_choices import (
     with_colon,
     with_index,
 )
+from acausal.lang.index_types import check_use
 from acausal.lang.instance import Instance, Leaf
 from acausal.lang.instantiate import Instantiator
 from acausal.lang.iteration import enumerated
@@ -49,7 +50,7 @@ from acausal.lang.parameter_errors import (
     not_constant,
     too_deep_calls,
 )
-from acausal.lang.references import current_value, member_value, refuse_conditional, resolve
+from acausal.lang.references import current_value, member_value, resolve
 from acausal.lang.scope import FoundComponent, Root, Scope
 from acausal.lang.special_calls import SPECIAL
 from acausal.lang.subscripts import part_of, subscripted
@@ -72,6 +73,7 @@ class Translator(Budget):
         super().__init__()
         self.root = root
         self.warnings: list[Diagnostic] = []
+        self.declared_units: dict[Expr, str] = {}
         self.instances = Instantiator(self)
         self.externals = Externals(self, root.library)
         self.leaves: dict[str, Leaf] = {}
@@ -289,8 +291,7 @@ class Translator(Budget):
         if isinstance(node, ast.Tuple):
             raise type_error("type.tuple", "a list in parentheses is not a value here", node.span)
         what = "`:`" if isinstance(node, ast.Colon) else "a function as an argument"
-        message = f"{what} is not supported here"
-        raise fail(UnsupportedProblem, "unsupported.expression", message, node.span)
+        raise fail(UnsupportedProblem, "unsupported.expression", f"{what} is not supported here", node.span)
 
     # ------------------------------------------------------------------ references and calls
 
@@ -309,7 +310,7 @@ class Translator(Budget):
             if varying.choice is None or not holds(node, varying.choice):
                 raise
             return self._chosen(node, varying.choice, env)
-        refuse_conditional(node, env)
+        check_use(self, node, env)
         value = member_value(self, found, node)
         return current_value(value, env.current) if env.current else value
 

@@ -97,6 +97,11 @@ class Translation(Protocol):
     def instances(self) -> Instances: ...
 
     @property
+    def declared_units(self) -> dict[Expr, str]:
+        """Results of functions, with the unit that their output declares."""
+        ...
+
+    @property
     def warnings(self) -> list[Diagnostic]:
         """What was noticed so far that is no error."""
         ...

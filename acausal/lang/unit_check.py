@@ -41,6 +41,7 @@ def check_units(flat: FlatModel) -> tuple[Diagnostic, ...]:
     found = list(_declarations(flat))
     for variable in flat.variables:
         inference.memo[sym(variable.name)] = _declared_measure(variable)
+    _declare_results(flat, inference)
     for variable in flat.variables:
         found += _attributes(flat, inference, variable)
     clauses = [equation for when in flat.whens for branch in when.branches for equation in branch.equations]
@@ -60,6 +61,16 @@ def _declared_measure(variable: Variable) -> Measure:
         return NUMBER if variable.type.is_numeric else UNKNOWN
     unit = parse_unit(variable.unit) if variable.unit else None
     return Measure(unit, certain=True) if isinstance(unit, Unit) else UNKNOWN
+
+
+def _declare_results(flat: FlatModel, inference: Inference) -> None:
+    """What functions declare of their results; a variable handed through becomes doubtful."""
+    for result, text in flat.declared_units:
+        unit = parse_unit(text)
+        inference.declared[result] = unit if isinstance(unit, Unit) else None
+        known = inference.memo.get(result)
+        if known is not None:
+            inference.memo[result] = inference.as_declared(result, known)
 
 
 def _declarations(flat: FlatModel) -> Iterator[Diagnostic]:

@@ -67,10 +67,24 @@ class Inference:
     clashes: list[Clash] = field(default_factory=list[Clash])
     arguments: list[tuple[str, Expr, Unit]] = field(default_factory=list[tuple[str, Expr, Unit]])
 
+    declared: dict[Expr, Unit | None] = field(default_factory=dict[Expr, "Unit | None"])
+    """Units that functions declare of their results."""
+
     def measure(self, root: Expr) -> Measure:
         return fold([root], self.visit, self.memo)[root]
 
     def visit(self, node: Expr, args: list[Measure]) -> Measure:
+        found = self._found(node, args)
+        return self.as_declared(node, found) if node in self.declared else found
+
+    def as_declared(self, node: Expr, found: Measure) -> Measure:
+        """A function may give a number another unit on purpose: then that is what is known, with doubt."""
+        unit = self.declared[node]
+        if found.unit is not None and unit is not None and same_unit(found.unit, unit):
+            return found
+        return Measure(found.unit if node.op == "sym" else unit)
+
+    def _found(self, node: Expr, args: list[Measure]) -> Measure:
         op = node.op
         if op == "const":
             return _literal(node.value)

@@ -12,6 +12,7 @@ package Overconstrained "Connections.* and equalityConstraint: a loop is broken 
 
   connector Plug
     Angle angle;
+    flow Real tau;
     Real v;
     flow Real i;
   end Plug;
@@ -46,6 +47,8 @@ package Overconstrained "Connections.* and equalityConstraint: a loop is broken 
     end if;
     if Connections.isRoot(n.angle) then
       n.angle.phi = 0;
+    else
+      p.tau + n.tau = 0;
     end if;
   end Rigid;
 
@@ -54,6 +57,8 @@ package Overconstrained "Connections.* and equalityConstraint: a loop is broken 
     Real q "Found from the loop that is closed";
   equation
     n.angle.phi = p.angle.phi + q;
+    p.tau = 0;
+    n.tau = 0;
   end Joint;
 
   model Test

@@ -1,5 +1,6 @@
-// error: parameter.arithmetic line 3 names p
+// error: parameter.arithmetic line 4 names p
 model Test
-  parameter Real p = sqrt(-1);
+  parameter Real q = -1;
+  parameter Real p = sqrt(q);
   Real x[integer(p)];
 end Test;
