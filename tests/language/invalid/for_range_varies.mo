@@ -1,4 +1,4 @@
-// error: structural.not-constant line 6 names y[1]
+// error: for.range line 6 names y[1]
 model Test
   Integer x[2];
   Integer y[2] = {1, 2};
