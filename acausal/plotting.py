@@ -108,6 +108,17 @@ def plot(result: Plottable, names: Sequence[str] | None = None, path: str | Path
     return figure
 
 
+def bars(names: Sequence[str], values: Sequence[float], label: str, path: Path) -> None:
+    """Writes horizontal bars, the first at the bottom, as PNG, SVG or PDF."""
+    figure = Figure(figsize=(_WIDTH, _MARGIN + 0.25 * len(names)), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    axes.barh(range(len(names)), values, color=COLOURS[0])
+    axes.set_yticks(range(len(names)), [_plain(name) for name in names])
+    axes.set_xlabel(label)
+    _write(figure, path)
+
+
 def _curve(result: Plottable, name: str) -> _Curve:
     unit = result.unit(name)
     variable = result.variable(name)

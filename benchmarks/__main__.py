@@ -14,13 +14,14 @@ from rich.console import Console
 from rich.table import Table
 
 import acausal
-from benchmarks import comparison, run_time, scale
+from benchmarks import comparison, run_time, scale, solvers
 from benchmarks.measure import Row
 
 BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
     "scale": lambda quick: scale.rows(quick=quick),
     "comparison": lambda quick: comparison.rows(quick=quick),
     "run_time": lambda _: run_time.rows(),
+    "solvers": lambda quick: solvers.rows(quick=quick),
 }
 
 

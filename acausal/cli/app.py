@@ -156,6 +156,28 @@ def explain(
     run_explain(target, Wish(block, latex, all_, plot, html), as_json=json)
 
 
+@app.command(short_help="Say which states hold the solver back.")
+def profile(
+    model: _Model,
+    parameter: _Parameters = None,
+    stop_time: Annotated[float | None, typer.Option(metavar="SECONDS", help="When to stop.")] = None,
+    rtol: Annotated[float | None, typer.Option(metavar="R", help="Relative tolerance.")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw a PNG, SVG or PDF.")] = None,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Run a model with variable steps, and say whose error set their size.
+
+    With --json: a list of `state`, `influence` (share of all), `error_failures`, `convergence_failures`.
+    """
+    from acausal.cli.commands import Target
+    from acausal.cli.profile import Profiling, run_profile
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    run_profile(target, Profiling(stop_time, rtol, plot), as_json=json)
+
+
 @app.command(short_help="Run a model; write and draw results.")
 def simulate(
     model: _Model,

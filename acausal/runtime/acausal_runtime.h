@@ -64,6 +64,7 @@ typedef struct {
     void (*fill)(double t);    /* writes the model's inputs at `t`; null where they are constant */
     int autonomous;            /* `rate` is zero */
     int exact_rate;            /* `derivative` gives `rate`; else by differences */
+    int settled;               /* the blocks are solved at (t, x): cleared where anything else changes */
     ac_long evaluations, jacobians;
 } ac_model;
 
@@ -162,6 +163,7 @@ int ac_fixed_step(ac_solver *s, double until);
 int ac_explicit(ac_solver *s, double h);
 double ac_first_step(ac_solver *s, double until);
 int ac_search(ac_solver *s);
+int ac_still_to_cross(ac_solver *s, double *distance);
 void ac_hermite(ac_solver *s);
 extern const ac_rosenbrock ac_rodas5p, ac_rodas3, ac_lieuler;
 

@@ -79,7 +79,7 @@ class ModelStructure(Structure):
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
         *_pointers("fill"),
-        *_typed("autonomous exact_rate", c_int),
+        *_typed("autonomous exact_rate settled", c_int),
         *_typed("evaluations jacobians", c_longlong),
     ]
 

@@ -11,7 +11,7 @@
 
 #include "acausal_runtime.h"
 
-#define LEAST 4        /* points of a step at which roots are looked at */
+#define LEAST 4        /* points of a step of variable length at which roots are looked at */
 #define ARMED 1e-2     /* a root this large beside its slack has left zero */
 #define HALVINGS 200
 
@@ -166,6 +166,25 @@ static int looked(ac_solver *s, int points)
     return 0;
 }
 
+/* Whether nothing of what was found to cross has done so at (t1, x1), and by how little at least. */
+int ac_still_to_cross(ac_solver *s, double *distance)
+{
+    int count = 0;
+    int code = roots_at(s, s->t1, s->g_mid);
+    *distance = HUGE_VAL;
+    for (int i = 0; code == 0 && i < s->model->crossings; i++) {
+        double v = value(s, i, s->g_mid);
+        if (s->crossed[i] != 0 && v < 0.0) {
+            return 0;
+        }
+        if (s->crossed[i] != 0) {
+            *distance = fmin(*distance, v);
+            count++;
+        }
+    }
+    return count > 0;
+}
+
 /* Looks for the first crossing in [t0, t1]: AC_EVENT with `t` and `crossed`, 0, or an error. */
 int ac_search(ac_solver *s)
 {
@@ -188,9 +207,9 @@ int ac_search(ac_solver *s)
     if (!s->have_dense) {
         ac_hermite(s);
     }
-    int points = LEAST;
-    double wanted = s->sample > 0.0 ? ceil((s->t1 - s->t0) / s->sample) : LEAST;
-    if (wanted > LEAST) {
+    int points = s->method == AC_RODAS5P ? LEAST : 1;
+    double wanted = s->sample > 0.0 ? ceil((s->t1 - s->t0) / s->sample) : 1.0;
+    if (wanted > points) {
         points = wanted < AC_MAX_LOOKS ? (int)wanted : AC_MAX_LOOKS;
     }
     return looked(s, points);

@@ -72,6 +72,7 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side, cons
     ac_model *m = s->model;
     size_t bytes = (size_t)m->states * sizeof(double);
     s->t = s->t0 = s->t1 = t;
+    m->settled = 0;
     if (m->states > 0) {
         memcpy(s->x, x, bytes);
         memcpy(s->x1, x, bytes);
@@ -94,32 +95,54 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side, cons
     return code;
 }
 
-/* A fixed step is made again up to the crossing inside it. */
+enum { TRIALS = 8 };
+
+/* The fixed step is made again, up to `t`. */
+static int remade(ac_solver *s, double t)
+{
+    s->t = s->t1 = t;
+    s->h = t - s->t0;
+    s->have_dense = 0;
+    int code = ac_explicit(s, s->h);
+    return code == 0 ? ac_slope(s->model, t, s->x1, s->f1) : code;
+}
+
+/* A fixed step ends at the crossing inside it. Where the interpolation found it too early, the step is made a little
+ * longer until something has crossed; at last it is the whole step. */
 static int shortened(ac_solver *s)
 {
-    if (s->t >= s->t1) {
-        memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
-        return 0;
+    double end = s->t1;
+    double before = s->t0;
+    double moved = 1e-6 * (end - s->t0);
+    double previous = 0.0;
+    for (int trial = 0; trial <= TRIALS; trial++) {
+        double left = 0.0;
+        int code = remade(s, s->t);
+        int open = code == 0 && trial < TRIALS && s->t < end ? ac_still_to_cross(s, &left) : 0;
+        if (code != 0 || open == 0) {
+            return code;
+        }
+        if (trial > 0 && left < previous) {
+            moved = 1.2 * left * (s->t - before) / (previous - left);
+        }
+        before = s->t;
+        previous = left;
+        s->t = trial + 1 < TRIALS ? fmin(s->t + moved, end) : end;
     }
-    if (s->method == AC_RODAS5P) {
+    return 0;
+}
+
+/* The solver's point is that of the event. */
+static int stopped(ac_solver *s)
+{
+    size_t bytes = (size_t)s->model->states * sizeof(double);
+    if (s->method == AC_RODAS5P && s->t < s->t1) {
         ac_interpolate(s, s->t, s->x);
         return 0;
     }
-    s->t1 = s->t;
-    s->h = s->t1 - s->t0;
-    int code = ac_explicit(s, s->h);
-    if (code == 0 && !ac_finite(s->x1, s->model->states)) {
-        code = AC_NOT_FINITE;
-    }
-    if (code == 0) {
-        code = ac_slope(s->model, s->t1, s->x1, s->f1);
-    }
-    if (code != 0) {
-        return code;
-    }
-    s->have_dense = 0;
-    memcpy(s->x, s->x1, (size_t)s->model->states * sizeof(double));
-    return 0;
+    int code = s->method != AC_RODAS5P && s->t < s->t1 ? shortened(s) : 0;
+    memcpy(s->x, s->x1, bytes);
+    return code;
 }
 
 /* The next step and what it crosses: 0, AC_EVENT or an error. */
@@ -134,7 +157,7 @@ static int moved(ac_solver *s, double until)
     s->t = s->t1;
     code = ac_search(s);
     if (code == AC_EVENT) {
-        int problem = shortened(s);
+        int problem = stopped(s);
         code = problem != 0 ? problem : code;
     }
     if (s->clock != NULL) {

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import warnings
 from contextlib import redirect_stdout
+from typing import Literal, Protocol
 
 import numpy as np
 from scipy.sparse import csc_matrix
@@ -43,6 +44,20 @@ _CAUSES = {
 }
 
 
+class EventCallback(Protocol):
+    """A zero-crossing callback that can forget what scikit-sundae keeps in it."""
+
+    def forget(self) -> None: ...
+
+
+class Stepper(Protocol):
+    """What CVODE and IDA have in common."""
+
+    def step(
+        self, t: float, method: Literal["normal", "onestep"] = ..., tstop: float | None = ...
+    ) -> CVODEResult: ...
+
+
 class _Roots:
     """The zero-crossing callback; scikit-sundae keeps every event in lists on this object."""
 
@@ -68,8 +83,13 @@ class _Roots:
 class Cvode:
     """The `Solver` over one CVODE instance. Without states there is a constant one, to locate events."""
 
-    def __init__(self, evaluator: Evaluator, tolerances: Tolerances) -> None:
+    name = "CVODE"
+
+    def __init__(
+        self, evaluator: Evaluator, tolerances: Tolerances, method: Literal["BDF", "Adams"] = "BDF"
+    ) -> None:
         self._evaluator = evaluator
+        self._method: Literal["BDF", "Adams"] = method
         self._tolerances = tolerances
         self._size = max(1, evaluator.x.size)
         self._rhs_evaluations = self._jacobian_evaluations = 0
@@ -83,18 +103,21 @@ class Cvode:
         rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
         self._rows, self._columns = rows, columns
         self._sparse = self._size > SPARSE_FROM and len(rows) > 0
-        self._roots = _Roots(evaluator) if evaluator.located.size else None
-        self._cvode = self._create()
+        self._roots: EventCallback | None = None
+        self._cvode: Stepper = self._create()
 
-    def _create(self) -> CVODE:
+    def _create(self) -> Stepper:
         shape = (self._size, self._size)
         ones = np.ones(len(self._rows))
         limits = self._tolerances
+        roots = _Roots(self._evaluator) if self._evaluator.located.size else None
+        self._roots = roots
         longest = limits.max_step or limits.sample  # so that two crossings in one long step are not missed
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the pattern is not used for differences: it is exact
-            return CVODE(
+            made = CVODE(
                 self._derivatives,
+                method=self._method,
                 jacfn=self._sparse_jacobian if self._sparse else self._dense_jacobian,
                 linsolver="sparse" if self._sparse else "dense",
                 sparsity=csc_matrix((ones, (self._rows, self._columns)), shape=shape)
@@ -105,14 +128,21 @@ class Cvode:
                 min_step=limits.min_step,
                 max_step=max(longest, limits.min_step) if longest else np.inf,
                 max_num_steps=min(limits.max_steps, BATCH),
-                eventsfn=self._roots,
+                eventsfn=roots,
                 num_events=self._evaluator.located.size,
             )
+        self._start = made.init_step
+        return made
 
     @property
     def work(self) -> Work:
         steps = self._finished_steps + self._steps
         return Work(steps, self._rhs_evaluations, self._jacobian_evaluations)
+
+    @property
+    def influence(self) -> None:
+        """Not known: scikit-sundae passes no error estimates on."""
+        return None
 
     def _derivatives(self, t: float, y: Vector, yp: Vector, /) -> None:
         self._rhs_evaluations += 1
@@ -157,7 +187,10 @@ class Cvode:
         self._settled = False
         self._broken = None
         self._latest = self._time = time
-        self._cvode.init_step(time, x if x.size else np.zeros(1))
+        self._begin(time, x)
+
+    def _begin(self, time: float, x: Vector) -> None:
+        self._start(time, x if x.size else np.zeros(1))
 
     def advance(self, target: float, stop: float) -> Arrival:
         """To `target` in pieces that end where the slope of an input jumps: as many as there are kinks."""
@@ -214,10 +247,11 @@ class Cvode:
                 evaluator.explain()
         code, cause = _CAUSES.get(status, ("simulate.solver", found.message))
         names = self._dominant(time, found.y[: evaluator.x.size])
+        what = f"{self.name} stopped {at(time)}: {cause}"
         return fail(
             SimulationProblem,
             code,
-            f"CVODE stopped {at(time)}: {cause}; states that change most for their tolerance: {some(names)}",
+            f"{what}; states that change most for their tolerance: {some(names)}",
             names=names,
             hint="look for a discontinuity that is no event, a wrong nominal value, or a solution that ends",
         )

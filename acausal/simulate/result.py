@@ -12,6 +12,7 @@ import numpy as np
 
 from acausal.errors import Diagnostic, LookupProblem, fail
 from acausal.lang.flat import Variable
+from acausal.simulate.costs import StateCost
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
 from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
@@ -62,6 +63,8 @@ class Result:
     warnings: tuple[Diagnostic, ...] = ()
     ended: Ending | None = None
     """The `terminate` that ended the run before its stop time."""
+    state_costs: tuple[StateCost, ...] = ()
+    """Which states set the step size, largest influence first; empty for solvers that do not say."""
 
     @cached_property
     def _columns(self) -> dict[str, int]:

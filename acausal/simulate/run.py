@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from acausal.simulate.costs import Costs, StateCost
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators
 from acausal.simulate.matrices import Vector
@@ -49,6 +50,7 @@ class Course:
     compiling: float
     work: Work
     ended: Ending | None = None
+    state_costs: tuple[StateCost, ...] = ()
 
 
 def run(
@@ -92,6 +94,7 @@ class _Loop:
         self.reselection = Reselection(evaluator, options.span)
         self.ended: Ending | None = None
         self._before = Work(0, 0, 0)
+        self._costs = Costs()
         self._operators = operators(evaluator.code.system)
         self._ahead = _AHEAD * (options.span or 1.0)
         self._settling = Settling(evaluator, self._ahead)
@@ -188,7 +191,15 @@ class _Loop:
     def course(self) -> Course:
         """What happened so far."""
         chosen = self.reselection
-        return Course(self.guard.count, chosen.count, chosen.compiling, self._work(), self.ended)
+        self._costs.add(self.solver, self.evaluator.code.system.states)
+        return Course(
+            self.guard.count,
+            chosen.count,
+            chosen.compiling,
+            self._work(),
+            self.ended,
+            self._costs.states(),
+        )
 
     def _work(self) -> Work:
         return self._before if self.solver is None else self._before + self.solver.work
@@ -275,6 +286,7 @@ class _Loop:
         """Starts the solver at the present point, with other states where these have become unfit."""
         if self.reselection.is_due(self.evaluator) and self.make_solver is not None:
             self._before = self._work()
+            self._costs.add(self.solver, self.evaluator.code.system.states)
             self.evaluator, self._x = self.reselection(self.evaluator, self._time, self._x)
             self._operators = operators(self.evaluator.code.system)
             self._settling = Settling(self.evaluator, self._ahead)

@@ -100,4 +100,5 @@ def integrate(point: InitialPoint, options: Options) -> Result:
         starts=point.used,
         warnings=(*point.warnings, *recorder.warnings),
         ended=course.ended,
+        state_costs=course.state_costs,
     )

@@ -101,6 +101,11 @@ class Solver(Protocol):
     @property
     def work(self) -> Work: ...
 
+    @property
+    def influence(self) -> Influence | None:
+        """What every state did to the step size; None where the integrator does not say."""
+        ...
+
     def restart(self, time: float, x: Vector) -> None:
         """Begin anew at this point (after an event)."""
         ...

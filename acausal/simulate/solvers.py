@@ -7,15 +7,18 @@ from acausal.runtime.binding import METHODS
 from acausal.runtime.build import compiler
 from acausal.simulate.cvode import Cvode
 from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.fallback import FixedStep
+from acausal.simulate.ida import Ida
 from acausal.simulate.names import did_you_mean
 from acausal.simulate.native import NativeSolver
 from acausal.simulate.options import Options
+from acausal.simulate.scikits import ScikitsOdes
 from acausal.simulate.solver import Solver, Tolerances
 
 AUTO = "auto"
 FIXED = tuple(name for name in METHODS if name != "rodas")
 """The solvers with steps of one length."""
-SOLVERS = (AUTO, "cvode", "rodas", *FIXED)
+SOLVERS = (AUTO, "cvode", "cvode-adams", "ida", "rodas", "scikits-odes", *FIXED)
 
 _ROUND = 7e-15
 """The shortest step relative to time: below it, time no longer advances by what the step says."""
@@ -51,6 +54,16 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
         step=options.step,
         locate=options.locate,
     )
-    if options.solver == "cvode":
-        return Cvode(evaluator, limits)
-    return NativeSolver(evaluator, limits, options.solver, options.compiled)
+    match options.solver:
+        case "cvode":
+            return Cvode(evaluator, limits)
+        case "cvode-adams":
+            return Cvode(evaluator, limits, "Adams")
+        case "ida":
+            return Ida(evaluator, limits)
+        case "scikits-odes":
+            return ScikitsOdes(evaluator, limits)
+        case name if name in FIXED and compiler() is None:
+            return FixedStep(evaluator, limits, name)
+        case name:
+            return NativeSolver(evaluator, limits, name, options.compiled)
