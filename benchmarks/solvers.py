@@ -224,11 +224,11 @@ def _compiled_slope(compiled: acausal.CompiledModel) -> Callable[[float, Values]
     iw, w = np.zeros(function.sz_iw() + 1, dtype=np.int64), np.zeros(function.sz_w() + 1)
     entry = library.ode
     entry.argtypes = [ctypes.c_void_p] * 4 + [ctypes.c_int]
-    where = [pointer(array) for array in (arg, res, iw, w)]
+    kept = (arg, res, iw, w)
 
     def call(time: float, x: Values) -> Values:
         inputs[0][0], inputs[1][:] = time, x
-        entry(*where, 0)
+        entry(*[pointer(array) for array in kept], 0)
         return out.copy()
 
     return call

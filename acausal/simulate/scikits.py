@@ -20,6 +20,7 @@ from acausal.simulate.solver import Arrival, Tolerances, Work
 
 _AT_STOP, _AT_ROOT = 1, 2
 _NEAR = 1e-9
+_ROUND = 1e-14
 
 
 def _wrapper() -> Any:
@@ -118,8 +119,10 @@ class ScikitsOdes:
             x = np.array(found.values.y[: self._evaluator.x.size])
             if found.flag == _AT_ROOT:
                 return Arrival(self._time, x, self._crossed(self._time, x))
-            if found.flag == _AT_STOP or self._time >= target:
-                return Arrival(self._time, x)
+            if found.flag == _AT_STOP or target - self._time <= _ROUND * abs(target):
+                return Arrival(target, x)
+            if self._steps > self._limits.max_steps:
+                raise self._failure("too many steps were needed")
 
     def _crossed(self, time: float, x: Vector) -> NDArray[np.int_]:
         """The roots that are zero to rounding, or on the other side of their modes."""
