@@ -108,9 +108,7 @@ class FixedStep:
     def restart(self, time: float, x: Vector) -> None:
         self._time, self._x = time, x.copy()
         self._old = self._latest = None
-        away = self._away(time, x)
-        self._evaluator.size()
-        self._armed = away > 1e-11 * self._evaluator.sizes
+        self._armed = self._away(time, x) > 0
 
     def _away(self, time: float, x: Vector) -> Vector:
         """How far each root is on the side of its mode; located ones only, the others count as far."""
@@ -118,10 +116,11 @@ class FixedStep:
         if not evaluator.m.size:
             return np.zeros(0)
         evaluator.at(time, x)
-        evaluator.event()
         away = np.full(evaluator.m.size, np.inf)
         side = np.where(evaluator.m != 0, 1.0, -1.0) * self._rising
-        away[evaluator.located] = (side * evaluator.roots)[evaluator.located]
+        shifted = np.zeros(evaluator.located.size)
+        evaluator.crossings(shifted)
+        away[evaluator.located] = side[evaluator.located] * shifted
         return away
 
     def advance(self, target: float, stop: float) -> Arrival:

@@ -35,8 +35,7 @@ class _Roots:
         del yp
         evaluator = self._evaluator
         evaluator.at(t, y[: evaluator.x.size])
-        evaluator.event()
-        events[:] = evaluator.roots[evaluator.located]
+        evaluator.crossings(events)
 
     def forget(self) -> None:
         """Empties those lists, which scikit-sundae would otherwise copy after every step."""

@@ -97,8 +97,7 @@ class ScikitsOdes:
     def _roots(self, t: float, y: Vector, g: Vector) -> int:
         evaluator = self._evaluator
         evaluator.at(t, y[: evaluator.x.size])
-        evaluator.event()
-        g[:] = evaluator.roots[evaluator.located]
+        evaluator.crossings(g)
         return 0
 
     def restart(self, time: float, x: Vector) -> None:
