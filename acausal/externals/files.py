@@ -95,8 +95,14 @@ def _matlab(path: Path, name: str) -> dict[str, Rows]:
     except (ValueError, TypeError, NotImplementedError, OSError, EOFError) as problem:
         raise RoutineFailed(f"`{name}` is not a MATLAB file of version 4, 6 or 7: {problem}") from None
     matrices: dict[str, Rows] = {}
-    for key, value in content.items():
-        if isinstance(value, np.ndarray) and value.dtype.kind in "fiub" and value.ndim == 2:  # pyright: ignore[reportUnknownMemberType]
+    pending = list(content.items())
+    while pending:
+        key, value = pending.pop()
+        if not isinstance(value, np.ndarray) or value.ndim != 2:
+            continue
+        if value.dtype.names is not None and value.size == 1:  # a structure: `s.tab`
+            pending += [(f"{key}.{name}", value[name][0, 0]) for name in value.dtype.names]
+        elif value.dtype.kind in "fiub":
             matrices[key] = value.astype(float).tolist()
     return matrices
 

@@ -11,7 +11,7 @@ _LONGEST_TOKEN = 100
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _INTEGER = re.compile(r"[+-]?[0-9]+(?![.eE0-9])")
 _REAL = re.compile(r"[+-]?[0-9]*(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?")
-_STRING = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+_STRING = re.compile(r'"((?:[^"\\]|\\.)+)"', re.DOTALL)
 _SPACE = " \t\n\r\v\f"
 
 
@@ -73,7 +73,9 @@ def scan_real(args: Sequence[Argument]) -> Changed:
     value, start = text(args[0]), whole(args[1])
     found = _REAL.match(value, _skipped(value, start) - 1)
     token = "" if found is None else found.group()
-    broken = found is not None and value[found.end() : found.end() + 1] in ("e", "E")
+    broken = (
+        found is not None and "e" not in token.lower() and value[found.end() : found.end() + 1] in ("e", "E")
+    )
     has_digits = any(c.isdigit() for c in re.split("[eE]", token)[0])
     if found is None or broken or not has_digits or len(token) >= _LONGEST_TOKEN or _signed(token, args[2]):
         return {3: start, 4: 0.0}

@@ -56,6 +56,7 @@ _SLOPES: dict[Smoothness, Slopes] = {
     Smoothness.STEFFEN: steffen,
     Smoothness.MODIFIED_AKIMA: modified_akima,
 }
+_PERIODIC = Extrapolation.PERIODIC
 _Piece = tuple[float, list[float]]
 """Origin and coefficients."""
 
@@ -107,7 +108,7 @@ class Curve:
     def _outside(self, spans: Sequence[int], inner: Sequence[_Piece]) -> tuple[_Piece, _Piece]:
         """What holds left and right of the table; in a periodic one, at its very end only."""
         x, y = list(self.x), list(self.y)
-        if self.extrapolation is Extrapolation.HOLD or self.extrapolation is Extrapolation.PERIODIC:
+        if not spans or self.extrapolation is Extrapolation.HOLD or self.extrapolation is _PERIODIC:
             return (x[0], [y[0]]), (x[-1], [y[-1]])
         first, last = spans[0], spans[-1]
         left = right = 0.0

@@ -43,32 +43,45 @@ class Surface:
             inner = _with_outside(inner, axis, grid, self.extrapolation)
         if Extrapolation.PERIODIC is self.extrapolation and not _closes(z):
             continuity = -1
-        return self._patches(name, inner, continuity)
+        breaks, origins = (_breaks(self.u), _breaks(self.v)), (_origins(self.u), _origins(self.v))
+        return self._patches(name, inner, continuity, breaks, origins)
 
     def _steps(self, name: str, z: Array) -> Patches:
-        """The value at the grid point below; outside, linear through the last two points if so wished."""
+        """The value at the grid point below; outside, linear through the last two points if so wished.
+
+        The last point itself belongs to the table: it has a piece of its own, up to the next number.
+        """
+        grids = (self.u, self.v)
+        many = [len(grid) > 1 for grid in grids]
+        below = [[0, *range(len(g)), len(g) - 1] if m else [0] for g, m in zip(grids, many, strict=True)]
         linear = _bilinear(self.u, self.v, z)
-        below = [[0, *range(len(grid))] if len(grid) > 1 else [0] for grid in (self.u, self.v)]
         coefficients = np.zeros((len(below[0]), len(below[1]), *linear.shape[2:]))
         coefficients[:, :, 0, 0] = z[np.ix_(*below)]
         if self.extrapolation not in _ONE_SIDED:
-            extended = linear
-            for axis, grid in ((0, self.u), (1, self.v)):
-                extended = _with_outside(extended, axis, grid, self.extrapolation)
+            for axis, grid in enumerate(grids):
+                linear = _with_outside(linear, axis, grid, self.extrapolation)
+            same = [[*range(len(g) + 1), len(g)] if m else [0] for g, m in zip(grids, many, strict=True)]
             outside = np.zeros(coefficients.shape[:2], dtype=bool)
-            if len(self.u) > 1:
-                outside[[0, -1], :] = True
-            if len(self.v) > 1:
-                outside[:, [0, -1]] = True
-            coefficients[outside] = extended[outside]
-        return self._patches(name, coefficients, -1)
+            outside[[0, -1], :] |= many[0]
+            outside[:, [0, -1]] |= many[1]
+            coefficients[outside] = linear[np.ix_(*same)][outside]
+        breaks = [
+            [*g, float(np.nextafter(g[-1], np.inf))] if m else [] for g, m in zip(grids, many, strict=True)
+        ]
+        origins = [[g[0], *g, g[-1]] if m else [g[0]] for g, m in zip(grids, many, strict=True)]
+        return self._patches(name, coefficients, -1, (breaks[0], breaks[1]), (origins[0], origins[1]))
 
-    def _patches(self, name: str, coefficients: Array, continuity: int) -> Patches:
+    def _patches(
+        self,
+        name: str,
+        coefficients: Array,
+        continuity: int,
+        breaks: tuple[Sequence[float], Sequence[float]],
+        origins: tuple[Sequence[float], Sequence[float]],
+    ) -> Patches:
         rows, columns, p, q = coefficients.shape
         flat = coefficients.reshape(rows * columns, p * q)
         periods = (self._period(self.u), self._period(self.v))
-        breaks = (_breaks(self.u), _breaks(self.v))
-        origins = (_origins(self.u), _origins(self.v))
         return patches(name, breaks, origins, (p, q), flat.tolist(), continuity, periods)
 
     def _period(self, grid: Sequence[float]) -> Period | None:

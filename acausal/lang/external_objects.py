@@ -175,8 +175,13 @@ def _second_time(call: Application) -> AnyValue:
 
 
 def _next_event(call: Application) -> AnyValue:
-    time = call.item(0)
-    return real(ex.apply(call.table.next_event(), _moved(call.table, time, 1), time))
+    """The first event beyond the time; before the start of a periodic table that is its start."""
+    time = _moved(call.table, call.item(0), 1)
+    start = ex.const(call.table.start)
+    following = ex.apply(call.table.next_event(), time, time)
+    if call.table.extrapolation is Extrapolation.PERIODIC:
+        following = ex.no_event(ex.if_then_else(ex.relation("lt", time, start), start, following))
+    return real(following)
 
 
 # ------------------------------------------------------------------------------ tables of two arguments

@@ -54,6 +54,7 @@ def strings(name: str, *args: Argument) -> tuple[Argument, ...]:
         ("scanReal", (".", 1, False), (1, 0.0)),
         ("scanString", ('a "b c" d', 2), (8, "b c")),
         ("scanString", ("abc", 1), (1, "")),
+        ("scanString", (chr(34) * 2, 1), (1, "")),
         ("hashString", ("",), (0xAAAAAAAA - 2**32,)),
     ],
 )
@@ -213,7 +214,11 @@ def files(tmp_path: Path) -> Files:
     (inside / "table.txt").write_text(TEXT)
     (inside / "data.csv").write_text("t;y\n0;1\n1;2.5\n\n")
     savemat(inside / "data.mat", {"m": np.array([[1.0, 2.0], [3.0, 4.0]])}, format="4")
-    savemat(inside / "data7.mat", {"m": np.array([[1.0, 2.0]]), "s": "text"}, format="5")
+    savemat(
+        inside / "data7.mat",
+        {"m": np.array([[1.0, 2.0]]), "s": {"t": np.eye(2), "u": {"v": np.ones((1, 2))}}},
+        format="5",
+    )
     (tmp_path / "secret.txt").write_text("secret")
     (inside / "link.txt").symlink_to(tmp_path / "secret.txt")
     return Files((inside,), inside, lambda name: inside if name == "Package" else None)
@@ -228,6 +233,8 @@ def test_csv_and_matlab_tables(files: Files) -> None:
     assert read_table(files, "data.csv", "", ";", 1) == [[0, 1], [1, 2.5]]
     assert read_table(files, "data.mat", "m") == [[1, 2], [3, 4]]
     assert read_table(files, "data7.mat", "m") == [[1, 2]]
+    assert read_table(files, "data7.mat", "s.t") == [[1, 0], [0, 1]]
+    assert read_table(files, "data7.mat", "s.u.v") == [[1, 1]]
 
 
 @pytest.mark.parametrize(

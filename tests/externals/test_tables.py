@@ -152,6 +152,11 @@ def test_abscissas_increase(x: list[float], smoothness: Smoothness, may_repeat: 
         check_abscissas(x, smoothness, may_repeat=may_repeat)
 
 
+def test_a_single_jump() -> None:
+    kernel = Curve((1.0, 1.0), (10.0, 11.0), Smoothness.CONSTANT, LAST).kernel("t")
+    assert [value(kernel, x) for x in (0.0, 1.0, 2.0)] == [10.0, 11.0, 11.0]
+
+
 # ------------------------------------------------------------------------------ over time
 
 

@@ -120,6 +120,7 @@ def test_periodic_constant_segments() -> None:
     assert at(flat, "y", now=6.0, next=6.0) == 1.0
     assert at(flat, "y", now=6.0, next=8.0) == 4.0
     assert at(flat, "e", now=5.5) == pytest.approx(6.0)
+    assert at(timed(start=1.7, outside=3), "e", now=0.0) == 1.7
 
 
 LOOP = """
