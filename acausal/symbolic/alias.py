@@ -11,6 +11,7 @@ equation is looked at once, and again only when one of its variables was replace
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from acausal.errors import InitializationProblem, fail
@@ -68,8 +69,9 @@ def eliminate_aliases(flat: FlatModel, values: ParameterValues) -> Simplified:
     """
     search = AliasSearch(flat, values)
     search.run()
-    aliases = _aliases(flat, search)
-    flat, fixed = _with_merged_attributes(flat, search, values)
+    roots = search.roots()
+    aliases = _aliases(flat, search, roots)
+    flat, fixed = _with_merged_attributes(flat, search, roots, values)
     eliminated = {alias.name for alias in aliases}
     named = tuple(
         NamedDerivative(x, v, _named_equation(search, x, v))
@@ -125,10 +127,10 @@ def _rewritten_assertion(assertion: Assertion, rewrite: Rewriter, search: AliasS
     return replace(assertion, condition=condition, message=message)
 
 
-def _aliases(flat: FlatModel, search: AliasSearch) -> tuple[Alias, ...]:
+def _aliases(flat: FlatModel, search: AliasSearch, roots: Sequence[str]) -> tuple[Alias, ...]:
     """Every eliminated variable with the equation that eliminates it, in declaration order."""
     found: dict[str, Alias] = {}
-    for root in search.roots():
+    for root in roots:
         pinned = search.classes.of(root).pinned
         start = root if pinned is None else pinned.name
         by = search.classes.eliminated_by(start)
@@ -140,12 +142,12 @@ def _aliases(flat: FlatModel, search: AliasSearch) -> tuple[Alias, ...]:
 
 
 def _with_merged_attributes(
-    flat: FlatModel, search: AliasSearch, values: ParameterValues
+    flat: FlatModel, search: AliasSearch, roots: Sequence[str], values: ParameterValues
 ) -> tuple[FlatModel, list[CausalEquation]]:
     """The model with the representatives' new attributes, and `value = start` for fixed constants."""
     changed: dict[str, Variable] = {}
     fixed: list[CausalEquation] = []
-    for root in search.roots():
+    for root in roots:
         members = _members(root, search, flat)
         if search.classes.of(root).pinned is None:
             changed[root] = merged(members, values)
@@ -156,11 +158,11 @@ def _with_merged_attributes(
 
 
 def _members(representative: str, search: AliasSearch, flat: FlatModel) -> list[Member]:
-    classes = search.classes
-    own_sign = classes.find(representative)[1]
-    others = [name for name in classes.of(representative).members if name != representative]
-    ordered = sorted(others, key=search.position)
-    return [(flat.by_name[name], own_sign * classes.find(name)[1]) for name in (representative, *ordered)]
+    signs = search.classes.of(representative).signs
+    own_sign, by_name = signs[representative], flat.by_name
+    others = [name for name in signs if name != representative]
+    others.sort(key=search.position)
+    return [(by_name[name], own_sign * signs[name]) for name in (representative, *others)]
 
 
 def _fixed_constant(

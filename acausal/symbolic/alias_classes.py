@@ -1,8 +1,9 @@
 """Signed equivalence classes of variables: x = y and x = -y, with at most one constant value per class.
 
-Union-find with signs (Tarjan, "Efficiency of a good but not linear set union algorithm", J. ACM 22 (1975)):
-near-linear in the number of links. Every link remembers the equation that made it, so that a class can say
-which equation eliminates which member, and a redundant link can name its loop.
+Every member knows its class, and the smaller of two classes moves into the larger (Galler and Fisher, "An
+improved equivalence algorithm", Comm. ACM 7 (1964)): a variable moves at most log2(n)
+times, and looking it up costs one step. Every link remembers the equation that made it, so that a class can
+say which equation eliminates which member, and a redundant link can name its loop.
 """
 
 from __future__ import annotations
@@ -32,56 +33,57 @@ class Pinned:
     equation: int
 
 
-@dataclass
-class _Class:
-    members: list[str]
+@dataclass(slots=True, eq=False)
+class Group:
+    """A class while it grows. `signs`: its members in order of arrival, relative to the first of them."""
+
+    signs: dict[str, int]
     links: list[Link] = field(default_factory=list[Link])
     pinned: Pinned | None = None
     level: int = 0
+
+    @property
+    def members(self) -> list[str]:
+        return list(self.signs)
+
+    def value(self, name: str) -> Expr | None:
+        """The value of a member if the class is pinned."""
+        pinned = self.pinned
+        if pinned is None:
+            return None
+        return pinned.value if self.signs[name] == self.signs[pinned.name] else neg(pinned.value)
 
 
 class Classes:
     """The classes while they grow: the working memory of alias elimination."""
 
     def __init__(self) -> None:
-        self._parent: dict[str, tuple[str, int]] = {}
-        self._classes: dict[str, _Class] = {}
+        self._group: dict[str, Group] = {}
 
-    def find(self, name: str) -> tuple[str, int]:
-        """Root of the class of `name`, and its sign relative to it. Alone if it is new."""
-        parent = self._parent
-        if name not in parent:
-            return name, 1
-        path: list[tuple[str, int]] = []
-        while parent[name][0] != name:
-            path.append((name, parent[name][1]))
-            name = parent[name][0]
-        sign = 1
-        for below, step in reversed(path):
-            sign *= step
-            parent[below] = (name, sign)
-        return name, sign
+    def find(self, name: str) -> Group | None:
+        """The class of `name`; None if it is alone."""
+        return self._group.get(name)
 
-    def of(self, name: str) -> _Class:
+    def of(self, name: str) -> Group:
         """The class of `name`, made if it is new."""
-        root, _ = self.find(name)
-        if root not in self._parent:
-            self._parent[root] = (root, 1)
-            self._classes[root] = _Class([root])
-        return self._classes[root]
+        group = self._group.get(name)
+        if group is None:
+            group = self._group[name] = Group({name: 1})
+        return group
 
     def link(self, link: Link, level: int) -> None:
         """Join two different classes, the smaller into the larger; only one of them may be pinned."""
         big, small = self.of(link.a), self.of(link.b)
-        (root, sign_a), (other, sign_b) = self.find(link.a), self.find(link.b)
-        if len(big.members) < len(small.members):
-            big, small, root, other = small, big, other, root
-        self._parent[other] = (root, sign_a * link.sign * sign_b)
-        big.members += small.members
-        big.links += [*small.links, link]
+        sign = big.signs[link.a] * link.sign * small.signs[link.b]
+        if len(big.signs) < len(small.signs):
+            big, small = small, big
+        for name, own in small.signs.items():
+            big.signs[name] = sign * own
+            self._group[name] = big
+        big.links += small.links
+        big.links.append(link)
         big.pinned = big.pinned or small.pinned
         big.level = max(big.level, small.level, level)
-        del self._classes[other]
 
     def pin(self, pinned: Pinned, level: int) -> None:
         """Give a class its value."""
@@ -91,17 +93,16 @@ class Classes:
 
     def value(self, name: str) -> Expr | None:
         """The value of `name` if its class is pinned."""
-        root, sign = self.find(name)
-        group = self._classes.get(root)
-        if group is None or group.pinned is None:
-            return None
-        pinned = group.pinned
-        return pinned.value if sign * self.find(pinned.name)[1] > 0 else neg(pinned.value)
+        group = self._group.get(name)
+        return None if group is None else group.value(name)
 
     def eliminated_by(self, root: str) -> dict[str, int]:
         """Per member, except `root`, the number of the equation that links it towards `root`. O(members)."""
+        links = self.of(root).links
+        if len(links) == 1:
+            return {links[0].b if links[0].a == root else links[0].a: links[0].equation}
         neighbours: dict[str, list[Link]] = {}
-        for link in self.of(root).links:
+        for link in links:
             neighbours.setdefault(link.a, []).append(link)
             neighbours.setdefault(link.b, []).append(link)
         found: dict[str, int] = {}

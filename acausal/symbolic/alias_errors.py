@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
 from acausal.lang.flat import Equation, FlatModel, Origin
 from acausal.symbolic.alias_classes import Classes, Link
@@ -47,25 +49,33 @@ def _surplus(equation: Equation, names: tuple[str, ...], why: str, hint: str = _
     )
 
 
+Value = tuple[Equation, Expr]
+"""An equation and the value that it gives."""
+
+
 def two_values(
-    flat: FlatModel, values: ParameterValues, equation: int, name: str, value: Expr, other: tuple[Expr, int]
+    values: ParameterValues, name: str, new: Value, known: Value, between: Sequence[Equation]
 ) -> BalanceProblem:
-    """`name` gets `value` from one equation and another value from another one."""
-    first, second = flat.equations[equation], flat.equations[other[1]]
-    if same_value(value, other[0], values):
-        why = f"`{name}` = {to_text(value)} already follows from {equation_with_place(second)}"
+    """`name` gets one value from one equation and another from another one, by way of those `between`."""
+    (first, value), (second, other) = new, known
+    through = f" through {listed([equation_with_place(equation) for equation in between])}" if between else ""
+    if same_value(value, other, values):
+        why = f"`{name}` = {to_text(value)} already follows from {equation_with_place(second)}{through}"
         return _surplus(first, _names(first), why)
+    connected = any(equation.origin is Origin.CONNECTION for equation in (first, second, *between))
+    remove = "remove one of these equations"
+    hint = f"{remove}, or one of the connections between them" if connected else remove
     return BalanceProblem(
         [
             Diagnostic(
                 "alias.contradiction",
-                f"the equation `{shown(one)}` contradicts {equation_with_place(two)}: "
+                f"the equation `{shown(one)}` contradicts {equation_with_place(two)}{through}: "
                 f"`{name}` would be both {to_text(mine)} and {to_text(its)}",
                 one.span,
                 tuple(dict.fromkeys((name, *_names(one)))),
-                "remove one of the two equations",
+                hint,
             )
-            for one, mine, two, its in ((first, value, second, other[0]), (second, other[0], first, value))
+            for one, mine, two, its in ((first, value, second, other), (second, other, first, value))
         ]
     )
 

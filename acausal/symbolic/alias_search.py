@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from acausal.errors import BalanceProblem
 from acausal.lang.flat import Equation, FlatModel, Variability, Variable
-from acausal.symbolic.alias_classes import Classes, Link, Pinned
+from acausal.symbolic.alias_classes import Classes, Group, Link, Pinned
 from acausal.symbolic.alias_errors import (
     balanced,
     no_unknown_left,
@@ -37,6 +37,26 @@ from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
 from acausal.symbolic.parameters import ParameterValues
 
 
+def plain_pair(left: Expr, right: Expr) -> tuple[str, str, int] | None:
+    """The names and sign of `a = b`, `a = -b`, `0 = a + b` or `0 = a - b`, as written; else None."""
+    if left.op == "sym" and right.op == "sym":
+        return left.name, right.name, 1
+    if left.op == "const" and right.op == "add" and left.value == 0:
+        terms = right.args
+    elif right.op == "const" and left.op == "add" and right.value == 0:
+        terms = left.args
+    else:
+        return None
+    if len(terms) != 2:
+        return None
+    one, other = terms
+    same = one.op == other.op
+    a, b = (term.args[0] if term.op == "neg" else term for term in terms)
+    if a.op != "sym" or b.op != "sym":
+        return None
+    return a.name, b.name, -1 if same else 1
+
+
 class AliasSearch:
     """The working memory of alias elimination: current equations, classes, named derivatives."""
 
@@ -60,6 +80,7 @@ class AliasSearch:
         """v -> x for every named derivative."""
         self._position = {v.name: i for i, v in enumerate(flat.variables)}
         self._unknown = {v.name: v for v in flat.variables if v.is_unknown and not is_input(v)}
+        self._ranks: dict[str, tuple[object, ...]] = {}
         self._leaves: list[tuple[Expr, ...]] = [()] * len(flat.equations)
         self._occurrences: dict[str, list[int]] = {}
         self._candidates: dict[int, None] = {}
@@ -78,27 +99,40 @@ class AliasSearch:
         return der(sym(x))
 
     def roots(self) -> list[str]:
-        """One member of every class of more than one variable or with a value: its representative."""
-        seen: dict[str, str] = {}
+        """One member of every class of more than one variable or with a value: its representative. Linear."""
+        seen: dict[int, str] = {}
         for name in sorted(self.current, key=self.position):
-            root, _ = self.classes.find(name)
-            if root not in seen:
-                seen[root] = self._representative(self.classes.of(root).members)
+            group = self.classes.of(name)
+            if id(group) not in seen:
+                seen[id(group)] = self._representative(group)
         return list(seen.values())
 
     def run(self) -> None:
         """Eliminate until nothing changes."""
         evaluated = {sym(name): const(value) for name, value in self.values.evaluated.items()}
-        changed = self._rewrite(dict.fromkeys(range(len(self.live))), evaluated)
-        while changed:
-            touched = self._find(changed)
+        touched = self._find_plain()
+        changed = self._rewrite(range(len(self.live)), evaluated)
+        while changed or touched:
+            self._find(changed, touched)
             changed = self._substitute(touched)
+            touched = {}
             if not changed:
                 changed = self._name_derivatives()
 
-    def _find(self, equations: Iterable[int]) -> dict[str, None]:
-        """Put the aliases among `equations` into classes; the names whose class changed."""
+    def _find_plain(self) -> dict[str, None]:
+        """Put the pairs that need no rewriting into classes; most equations of connections are such."""
         touched: dict[str, None] = {}
+        for i, (left, right) in enumerate(zip(self.left, self.right, strict=True)):
+            pair = plain_pair(left, right)
+            if pair is None:
+                continue
+            a, b, sign = pair
+            if self._may_link(a, b, sign):
+                self._link(Link(a, b, sign, i), touched)
+        return touched
+
+    def _find(self, equations: Iterable[int], touched: dict[str, None]) -> None:
+        """Put the aliases among `equations` into classes; adds the names whose class changed."""
         for i in equations:
             leaves = self._leaves[i]
             if not self.live[i] or len(leaves) > 2:
@@ -109,7 +143,6 @@ class AliasSearch:
                 self._find_constant(i, leaves[0], touched)
             elif len(leaves) == 2:
                 self._find_pair(i, leaves, touched)
-        return touched
 
     def _find_constant(self, i: int, leaf: Expr, touched: dict[str, None]) -> None:
         value = self._solved(i, leaf)
@@ -156,12 +189,17 @@ class AliasSearch:
             if sign > 0:
                 self._candidates[i] = None
             return
-        first, second = self._unknown[a.name], self._unknown[b.name]
-        if first.type != second.type or first.variability != second.variability:
-            return
-        if sign < 0 and first.type.name not in ("Real", "Integer"):
-            return
-        self._link(Link(a.name, b.name, sign, i), touched)
+        if self._may_link(a.name, b.name, sign):
+            self._link(Link(a.name, b.name, sign, i), touched)
+
+    def _may_link(self, a: str, b: str, sign: int) -> bool:
+        """Whether both are unknowns of one type and variability that can be equal, or opposite."""
+        first, second = self._unknown.get(a), self._unknown.get(b)
+        if first is None or second is None or first is second:
+            return False
+        if first.variability != second.variability:
+            return False
+        return first.type == second.type and (sign > 0 or first.type.name in ("Real", "Integer"))
 
     def _sign_of_pair(self, left: Expr, right: Expr) -> int | None:
         """+1 for a = b, -1 for a = -b (also as sums, also with equal literal factors), else None."""
@@ -176,49 +214,70 @@ class AliasSearch:
         return None if abs(fa) != abs(fb) else (1 if fa == -fb else -1)
 
     def _link(self, link: Link, touched: dict[str, None]) -> None:
-        (root_a, sign_a), (root_b, sign_b) = self.classes.find(link.a), self.classes.find(link.b)
-        if root_a == root_b:
-            if sign_a == link.sign * sign_b or self.classes.value(link.a) is not None:
+        one, other = self.classes.find(link.a), self.classes.find(link.b)
+        if one is other and one is not None:
+            if one.signs[link.a] == link.sign * one.signs[link.b] or one.pinned is not None:
                 raise redundant_link(self.flat, self.classes, link)
             self.classes.pin(Pinned(link.a, ZERO, link.equation), self.level[link.equation])
         else:
-            first, second = self.classes.value(link.a), self.classes.value(link.b)
+            first = None if one is None else one.value(link.a)
+            second = None if other is None else other.value(link.b)
             if first is not None and second is not None:
-                raise self._two_values(link.equation, link.a, signed(second, link.sign), first)
+                raise self._two_values(link.equation, link.a, signed(second, link.sign), first, link.b)
             self.classes.link(link, self.level[link.equation])
         self.live[link.equation] = False
         touched[link.a] = None
 
-    def _two_values(self, i: int, name: str, value: Expr, known: Expr) -> BalanceProblem:
+    def _two_values(self, i: int, name: str, value: Expr, known: Expr, beyond: str = "") -> BalanceProblem:
+        """Equation `i` gives `name` a value (that of `beyond`, if it is a link), but it has one already."""
+        other, between = self._source(name, i)
+        if beyond:
+            last, before = self._source(beyond, i)
+            between = [*before, last, *between]
+        equations = self.flat.equations
+        steps = [equations[step] for step in dict.fromkeys(between) if step not in (i, other)]
+        return two_values(self.values, name, (equations[i], value), (equations[other], known), steps)
+
+    def _source(self, name: str, default: int) -> tuple[int, list[int]]:
+        """The equation that gives the class of `name` its value, and the links from there."""
         pinned = self.classes.of(name).pinned
-        other = i if pinned is None else pinned.equation
-        return two_values(self.flat, self.values, i, name, value, (known, other))
+        if pinned is None:
+            return default, []
+        return pinned.equation, [step.equation for step in self.classes.path(name, pinned.name)]
 
-    def _representative(self, members: Iterable[str]) -> str:
-        def key(name: str) -> tuple[object, ...]:
-            return representative_key(self._unknown[name], name in self.differentiated, self._position[name])
+    def _representative(self, group: Group) -> str:
+        return min(group.signs, key=self._rank)
 
-        return min(members, key=key)
+    def _rank(self, name: str) -> tuple[object, ...]:
+        """`representative_key`, computed once while it stays the same."""
+        moving = name in self.differentiated
+        known = self._ranks.get(name)
+        if known is None or known[1] is moving:
+            known = self._ranks[name] = representative_key(self._unknown[name], moving, self._position[name])
+        return known
 
     def _substitute(self, touched: Iterable[str]) -> list[int]:
         """Replace the members of the touched classes; the equations that changed."""
         values: dict[Expr, Expr] = {}
         levels: dict[str, int] = {}
-        for root in dict.fromkeys(self.classes.find(name)[0] for name in touched):
-            group = self.classes.of(root)
-            chosen = self._representative(group.members)
-            own_sign = self.classes.find(chosen)[1]
-            moving = sum(name in self.differentiated for name in group.members)
+        groups = {id(group): group for group in map(self.classes.of, touched)}
+        for group in groups.values():
+            if group.pinned is None:
+                chosen = self._representative(group)
+                plus, own_sign = sym(chosen), group.signs[chosen]
+            else:
+                chosen = ""
+                plus, own_sign = group.pinned.value, group.signs[group.pinned.name]
+            minus = neg(plus)
+            moving = sum([name in self.differentiated for name in group.signs])
             level = group.level + 1 if moving > 1 or (moving and group.pinned) else 0
-            for name in group.members:
-                value = self.classes.value(name)
-                if value is None:
-                    value = signed(sym(chosen), own_sign * self.classes.find(name)[1])
-                if value is not sym(name) and self.current.get(name) is not value:
+            for name, sign in group.signs.items():
+                value = plus if sign == own_sign else minus
+                if name == chosen:
+                    self.current.pop(name, None)
+                elif self.current.get(name) is not value:
                     values[sym(name)] = self.current[name] = value
                     levels[name] = level
-                elif value is sym(name):
-                    self.current.pop(name, None)
         return self._apply(values, levels)
 
     def _apply(self, values: dict[Expr, Expr], levels: dict[str, int]) -> list[int]:
@@ -318,6 +377,7 @@ class AliasSearch:
             or self._unknown[v.name].variability < Variability.CONTINUOUS
         ):
             return None
-        if self._chain_classes.find(x)[0] == self._chain_classes.find(v.name)[0]:
+        chain = self._chain_classes.find(x)
+        if x == v.name or (chain is not None and chain is self._chain_classes.find(v.name)):
             return None
         return x, v.name

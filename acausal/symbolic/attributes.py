@@ -82,6 +82,8 @@ def merged(members: Sequence[Member], values: ParameterValues) -> Variable:
     Raises InitializationProblem `start.conflict`.
     """
     first = members[0][0]
+    if not any(_passes_on(variable) for variable, _ in members[1:]):
+        return first
     nearest = [members[0], *sorted(members[1:], key=lambda member: dots(member[0].name))]
     fixed = fixed_start(nearest, values)
     start = fixed if fixed is not None else _first_start(nearest)
@@ -97,6 +99,18 @@ def merged(members: Sequence[Member], values: ParameterValues) -> Variable:
         nominal=nominal,
         state_select=max(given, default=StateSelect.DEFAULT),
         **bounds,
+    )
+
+
+def _passes_on(variable: Variable) -> bool:
+    """Whether a member says anything that its representative could take over."""
+    return (
+        variable.start is not None
+        or bool(variable.fixed)
+        or variable.nominal is not None
+        or variable.min is not None
+        or variable.max is not None
+        or variable.state_select is not StateSelect.DEFAULT
     )
 
 

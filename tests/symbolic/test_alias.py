@@ -286,3 +286,20 @@ def test_a_circuit_without_ground_is_told_that_it_needs_one() -> None:
     assert "load.n.i" in found.names
     assert found.span is not None
     assert found.span.line == 24
+
+
+def test_two_values_name_the_way_between_them() -> None:
+    with pytest.raises(BalanceProblem) as caught:
+        simplified(model("a.v = 1", "b.v = 2", "a.v = c", "c = -d", "d = -b.v"))
+    assert [d.span.line for d in caught.value.diagnostics if d.span is not None] == [2, 1]
+    message = caught.value.diagnostics[0].message
+    for line in (1, 3, 4, 5):
+        assert f"test.mo:{line}" in message
+
+
+def test_plain_pairs_are_those_that_rewriting_would_find() -> None:
+    """The same classes whether an equation is a pair as written or becomes one."""
+    plain = simplified(model("x = y", "0 = y + z", "z - w = 0", "der(w) = w"))
+    rewritten = simplified(model("2 * x = 2 * y", "-y = z", "z = w", "der(w) = w"))
+    assert {a.name: a.value for a in plain.aliases} == {a.name: a.value for a in rewritten.aliases}
+    assert [(a.name, to_text(a.value)) for a in plain.aliases] == [("x", "-w"), ("y", "-w"), ("z", "w")]
