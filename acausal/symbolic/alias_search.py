@@ -41,6 +41,8 @@ def plain_pair(left: Expr, right: Expr) -> tuple[str, str, int] | None:
     """The names and sign of `a = b`, `a = -b`, `0 = a + b` or `0 = a - b`, as written; else None."""
     if left.op == "sym" and right.op == "sym":
         return left.name, right.name, 1
+    if left.op == "sym" and right.op == "neg" and right.args[0].op == "sym":
+        return left.name, right.args[0].name, -1
     if left.op == "const" and right.op == "add" and left.value == 0:
         terms = right.args
     elif right.op == "const" and left.op == "add" and right.value == 0:
