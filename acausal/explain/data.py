@@ -8,7 +8,7 @@ from acausal.explain.collect import block_equations
 from acausal.explain.explanation import Explanation
 from acausal.explain.words import spot
 from acausal.lang.flat import Equation
-from acausal.symbolic.causal import Block, CausalEquation, CausalSystem
+from acausal.symbolic.causal import Block, CausalEquation, CausalSystem, InitialCondition
 from acausal.symbolic.describe import equation_text, leaf_texts
 from acausal.symbolic.expressions.text import to_text
 
@@ -46,6 +46,7 @@ def explanation_data(explanation: Explanation) -> Object:
             {"name": value.name, "value": to_text(value.value), "reason": value.reason}
             for value in system.initial.values
         ],
+        "initial_problem": _initial_problem(explanation),
         "zero_crossings": [
             {"relation": to_text(crossing.relation), **spot(crossing.span)} for crossing in system.events
         ],
@@ -56,6 +57,29 @@ def explanation_data(explanation: Explanation) -> Object:
         "warnings": [warning.to_json() for warning in explanation.warnings],
         "seconds": dict(explanation.seconds),
     }
+
+
+def _initial_problem(explanation: Explanation) -> Object:
+    """Which conditions the start takes, which are one too many, and which start values nothing uses."""
+    initial = explanation.system.initial
+    return {
+        "needed": initial.needed,
+        "initial_equations": initial.equations,
+        "assumed": [value.name for value in initial.values if value.reason == "assumed"],
+        "surplus": [
+            {
+                "condition": _condition(conflict.condition),
+                "others": [_condition(other) for other in conflict.others],
+            }
+            for conflict in initial.conflicts
+        ],
+        "unused": list(initial.unused),
+        "homotopy": [_equation(equation) for equation in explanation.homotopies],
+    }
+
+
+def _condition(condition: InitialCondition) -> Object:
+    return {"start": condition.start or None, **_equation(condition.equation.flat)}
 
 
 def _removed(system: CausalSystem) -> Object | None:

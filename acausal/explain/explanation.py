@@ -16,8 +16,10 @@ from acausal.explain.collect import (
     differentiated,
     incidence,
 )
+from acausal.lang.flat import Equation
 from acausal.pipeline import Compilation
 from acausal.symbolic.causal import Block, BlockKind, CausalSystem
+from acausal.symbolic.homotopy import homotopy_equations
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +41,12 @@ class Explanation:
     def differentiated(self) -> tuple[Differentiated, ...]:
         """Equations that had to be differentiated, and how often."""
         return differentiated(self.system)
+
+    @cached_property
+    def homotopies(self) -> tuple[Equation, ...]:
+        """The equations whose simplified side the initial problem may start from."""
+        flat = self.system.homotopy
+        return () if flat is None else homotopy_equations(flat)
 
     @cached_property
     def dependencies(self) -> Dependencies:

@@ -7,18 +7,20 @@ from collections.abc import Iterator, Sequence
 from acausal.explain.explanation import Explanation
 from acausal.explain.words import (
     by_whom,
+    conditions_text,
     counted,
     cut,
     kind_of,
     often,
     short,
+    surplus_text,
     unknown_texts,
     use,
     when_not,
     where,
 )
 from acausal.lang.flat import Equation, Origin
-from acausal.symbolic.causal import BlockKind
+from acausal.symbolic.causal import BlockKind, InitialProblem
 from acausal.symbolic.describe import equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
 
@@ -174,15 +176,23 @@ def _loops(explanation: Explanation, everything: bool) -> list[str]:
 def _initial_counts(explanation: Explanation) -> list[str]:
     initial = explanation.system.initial
     kinds = ", ".join(f"{sum(b.kind is kind for b in initial.blocks)} {kind.value}" for kind in BlockKind)
-    checks = [f"must hold as well: 0 = {short(to_text(c.value), MOST_TEXT)}" for c in initial.checks]
-    reasons = ", ".join(
-        f"{sum(v.reason == reason for v in initial.values)} {reason}"
-        for reason in ("fixed", "assumed", "guess")
-    )
     return [
-        f"{counted(len(initial.blocks), 'block')}: {kinds}; start values: {reasons}",
-        *checks[:MOST_ROWS],
+        f"{counted(len(initial.blocks), 'block')}: {kinds}",
+        conditions_text(initial),
+        *[surplus_text(conflict) for conflict in initial.conflicts][:MOST_ROWS],
+        *(
+            [f"start values not used, because the rest determines these: {_unused(initial)}"]
+            if initial.unused
+            else []
+        ),
+        *[f"may continue from the simplified side of {_flat_text(e)}" for e in explanation.homotopies][
+            :MOST_ROWS
+        ],
     ]
+
+
+def _unused(initial: InitialProblem) -> str:
+    return cut(initial.unused, MOST_NAMES)
 
 
 def _starts(explanation: Explanation) -> list[str]:

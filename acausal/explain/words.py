@@ -7,8 +7,17 @@ from collections.abc import Sequence
 from acausal.errors import Span
 from acausal.explain.collect import Differentiated
 from acausal.lang.flat import Equation, Origin
-from acausal.symbolic.causal import Block, BlockKind, CausalEquation, CausalSystem, InitialValue, StateMonitor
-from acausal.symbolic.describe import equation_text, leaf_texts, place
+from acausal.symbolic.causal import (
+    Block,
+    BlockKind,
+    CausalEquation,
+    CausalSystem,
+    InitialConflict,
+    InitialProblem,
+    InitialValue,
+    StateMonitor,
+)
+from acausal.symbolic.describe import condition_text, equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
 
 MOST_CHARACTERS = 2_000
@@ -76,6 +85,25 @@ def use(value: InitialValue, system: CausalSystem) -> str:
     given = variable is not None and (variable.start is not None or variable.binding is not None)
     meaning = _USES.get(value.reason, value.reason)
     return meaning if given else f"{meaning}; nobody gave it"
+
+
+def conditions_text(initial: InitialProblem) -> str:
+    """How many conditions the start needs, and where they come from."""
+    fixed, assumed = (sum(v.reason == reason for v in initial.values) for reason in ("fixed", "assumed"))
+    surplus = sum(bool(conflict.condition.start) for conflict in initial.conflicts)
+    parts = [
+        counted(initial.equations, "initial equation"),
+        f"{counted(fixed - surplus, 'fixed start value')}",
+        f"{counted(assumed, 'start value')} assumed though not fixed",
+    ]
+    return f"{counted(initial.needed, 'condition')} needed beside the equations: {', '.join(parts)}"
+
+
+def surplus_text(conflict: InitialConflict) -> str:
+    """A condition that must hold as well, and what it competes with."""
+    others = ", ".join([condition_text(other) for other in conflict.others])
+    beside = f"with {others}" if others else "with the equations alone"
+    return f"one too many: {condition_text(conflict.condition)} must agree {beside}"
 
 
 def when_not(monitor: StateMonitor) -> tuple[str, str, str]:

@@ -14,18 +14,17 @@ from acausal.simulate.block_solvers import Walk
 from acausal.simulate.call import call
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import literal_modes, operators
+from acausal.simulate.initial_errors import check_redundant, with_starts
 from acausal.simulate.initial_modes import Switched, consistent_modes
 from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import leaf_name, number, place, shown, some
+from acausal.simulate.messages import leaf_name, some
 from acausal.simulate.overrides import Override, parameter_overrides, parameter_values, start_values
 from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.causal import Block
 from acausal.symbolic.describe import base_name
-from acausal.symbolic.expressions.expr import Expr, sym, symbols
+from acausal.symbolic.expressions.expr import Expr, sym
 
-CHECK_TOLERANCE = 1e-6
-"""Largest residual of a redundant initial equation, relative to the size of its terms."""
 _ROUNDING = 1e-12
 """A root this small beside its sides does not change its mode while the initial modes are searched."""
 
@@ -78,7 +77,7 @@ def initialize(
     evaluator = Evaluator(code, parameter_values(code, given, override), bound)
     evaluator.m[:], evaluator.d[:] = switched.m, switched.d
     evaluator.guess[:] = [known.get(leaf, 0.0) for leaf in code.dynamic.guesses]
-    _check(code, walked.values)
+    check_redundant(code, walked.values)
     x = np.array([known[leaf] for leaf in state_leaves(code.system)])
     reasons = code.system.initial.values
     used = tuple(UsedStart(v.name, float(s), v.reason) for v, s in zip(reasons, problem.starts, strict=True))
@@ -101,9 +100,10 @@ def _solved(problem: _Problem, otherwise: Callable[[InitializationProblem], _Sol
     try:
         return *consistent_modes(problem.code, problem.suggested(), problem), ()
     except InitializationProblem as error:
+        named = with_starts(problem.code, error, problem.start_of)
         if problem.code.system.homotopy is None:
-            raise
-        return otherwise(error)
+            raise named from None
+        return otherwise(named)
 
 
 def _by_homotopy(problem: _Problem, changes: _Changes, error: InitializationProblem) -> _Solution:
@@ -146,8 +146,8 @@ class _Problem:
         inputs.explain(time, self._u)
         self.starts = starts
         names = [value.name for value in code.system.initial.values]
-        guess = dict(zip(names, starts.tolist(), strict=True))
-        self._how = Walk(InitializationProblem, time, _nominals(code, p), guess)
+        self.start_of = dict(zip(names, starts.tolist(), strict=True))
+        self._how = Walk(InitializationProblem, time, _nominals(code, p), self.start_of)
 
     def guess(self, values: Mapping[str, float], *, local: bool = False) -> None:
         """Start the search from these values, by name."""
@@ -217,32 +217,3 @@ def _homotopy_used(block: Block) -> Diagnostic:
         "give better start values",
         "warning",
     )
-
-
-def _check(code: Code, values: Vector) -> None:
-    """Redundant initial equations must hold at the result."""
-    checks = code.system.initial.checks
-    if not checks:
-        return
-    known = values[[code.initial.slots[leaf] for leaf in code.checks.reads]]
-    residuals, sizes = (column.ravel() for column in call(code.checks.run, known))
-    problems: list[Diagnostic] = []
-    for check, residual, size in zip(checks, residuals, sizes, strict=True):
-        if abs(residual) <= CHECK_TOLERANCE * max(size, 1e-300):
-            continue
-        names, span = symbols([check.value]), check.equation.flat.span
-        found = some(
-            [
-                f"{n} = {number(values[code.initial.slots[sym(n)]])}"
-                for n in names
-                if sym(n) in code.initial.slots
-            ]
-        )
-        message = (
-            f"the initial values contradict `{shown(check.equation)}` ({place(span)}): "
-            f"it is off by {number(residual)}, with {found}"
-        )
-        hint = "fewer start values may be fixed: remove `fixed = true` from one of these, or make them agree"
-        problems.append(Diagnostic("initialize.inconsistent", message, check.equation.flat.span, names, hint))
-    if problems:
-        raise InitializationProblem(problems)

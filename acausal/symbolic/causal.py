@@ -185,6 +185,22 @@ class InitialValue:
 
 
 @dataclass(frozen=True, slots=True)
+class InitialCondition:
+    """What the model says about the start only: an initial equation, or `x = start` of a variable `start`."""
+
+    equation: CausalEquation
+    start: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class InitialConflict:
+    """`condition` is one too many beside `others`: without any one of them all there would be room for it."""
+
+    condition: InitialCondition
+    others: tuple[InitialCondition, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class InitialProblem:
     """Gives the states, all other unknowns and parameters with `fixed = false` at the start time.
 
@@ -196,6 +212,14 @@ class InitialProblem:
     blocks: tuple[Block, ...]
     values: tuple[InitialValue, ...]
     checks: tuple[Residual, ...] = ()
+    needed: int = 0
+    """How many conditions the start needs beside the equations: its degrees of freedom."""
+    equations: int = 0
+    """How many of them are initial equations; the others are start values."""
+    conflicts: tuple[InitialConflict, ...] = ()
+    """For each of `checks` what it competes with."""
+    unused: tuple[str, ...] = ()
+    """Unknowns with a start value of their own that is used nowhere, because they follow from the rest."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from acausal.errors import Span
 from acausal.lang.flat import Equation, Origin
-from acausal.symbolic.causal import CausalEquation
+from acausal.symbolic.causal import CausalEquation, InitialCondition
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.text import to_text
 
@@ -44,6 +44,14 @@ def equation_with_place(equation: Equation) -> str:
     if equation.component:
         where += f" in {equation.component}"
     return f"`{shown(equation)}` ({where})"
+
+
+def condition_text(condition: InitialCondition) -> str:
+    """`the start value `x` = 2.0 (Tank.mo:12)`, or the initial equation with its place."""
+    flat = condition.equation.flat
+    if condition.start:
+        return f"the start value `{condition.start}` = {cut(to_text(flat.right))} ({place(flat.span)})"
+    return f"the initial equation {equation_with_place(flat)}"
 
 
 def listed(items: Sequence[str], shown: int = SHOWN) -> str:

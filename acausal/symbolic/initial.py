@@ -29,6 +29,8 @@ from acausal.symbolic.causal import (
     Block,
     BlockKind,
     CausalEquation,
+    InitialCondition,
+    InitialConflict,
     InitialProblem,
     InitialValue,
     Residual,
@@ -36,6 +38,7 @@ from acausal.symbolic.causal import (
 from acausal.symbolic.describe import dots, equation_with_place, leaf_texts, listed
 from acausal.symbolic.expressions.expr import Expr, const, sub, sym
 from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.graphs.dulmage_mendelsohn import overdetermined_subset
 from acausal.symbolic.graphs.matching import Matcher
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.index_reduction import Reduced
@@ -54,6 +57,9 @@ class _Start:
     def equation(self) -> CausalEquation:
         left = sym(self.variable.name)
         return CausalEquation(left, self.value, Equation(left, self.value, self.variable.span))
+
+    def condition(self) -> InitialCondition:
+        return InitialCondition(self.equation(), self.variable.name)
 
     def report(self) -> InitialValue:
         return InitialValue(self.variable.name, self.value, self.reason)
@@ -111,12 +117,64 @@ def _from_states(
     ]
     blocks = (*assigned, *dynamic)
     values = (*[s.report() for s in starts], *_guesses(reduced, blocks, {s.variable.name for s in starts}))
-    return InitialProblem(blocks, values)
+    return InitialProblem(blocks, values, needed=len(starts), unused=_unused(reduced, values))
+
+
+def _unused(reduced: Reduced, values: Sequence[InitialValue]) -> tuple[str, ...]:
+    used = {value.name for value in values}
+    return tuple(v.name for v in reduced.model.unknowns if v.start is not None and v.name not in used)
 
 
 def _state_start(variable: Variable, reduced: Reduced) -> _Start:
     value = start_or_default(variable, reduced.model.values)
     return _Start(variable, value, "fixed" if variable.fixed else "assumed")
+
+
+class _Conditions:
+    """Which conditions the unknowns have room for: a matching that grows."""
+
+    def __init__(self, given: Sequence[CausalEquation], unknowns: Sequence[Expr], profiler: Profiler) -> None:
+        self.used = list(given)
+        self.taken: list[InitialCondition] = []
+        self.surplus: list[InitialCondition] = []
+        self._profiler = profiler
+        self._index = {leaf: Var(i) for i, leaf in enumerate(unknowns)}
+        self._matcher = Matcher([self._row(e) for e in given], len(unknowns))
+        self._matcher.augment([Eq(i) for i in range(len(given))])
+        self._of: dict[Eq, InitialCondition] = {}
+
+    @property
+    def complete(self) -> bool:
+        return len(self.used) == len(self._index)
+
+    def _row(self, equation: CausalEquation) -> list[Var]:
+        return rows(self._profiler.profile(equation), self._index)
+
+    def add(self, condition: InitialCondition, *, must: bool = True) -> bool:
+        """Take the condition if there is room; a condition that `must` hold becomes a check otherwise."""
+        number = self._matcher.add_equation(self._row(condition.equation))
+        fits = not self._matcher.augment([number])
+        if fits:
+            self.used.append(condition.equation)
+            self.taken.append(condition)
+        elif must:
+            self.surplus.append(condition)
+        if fits or must:
+            self._of[number] = condition
+        return fits
+
+    def conflicts(self) -> tuple[InitialConflict, ...]:
+        """For every surplus condition the others of the smallest set that is one too many."""
+        if not self.surplus:
+            return ()
+        matching = self._matcher.freeze()
+        numbers = {id(condition): number for number, condition in self._of.items()}
+        found: list[InitialConflict] = []
+        for condition in self.surplus:
+            part = overdetermined_subset(self._matcher.rows, matching, numbers[id(condition)])
+            others = [self._of[eq] for eq in part.equations if eq in self._of]
+            found.append(InitialConflict(condition, tuple(o for o in others if o is not condition)))
+        return tuple(found)
 
 
 def _general(
@@ -129,28 +187,29 @@ def _general(
         *(sym(v.name) for v in _free_parameters(reduced)),
         *(binding.left for binding in bindings),
     ]
-    index = {leaf: Var(i) for i, leaf in enumerate(unknowns)}
-    matcher = Matcher([rows(profiler.profile(e), index) for e in given], len(unknowns))
-    matcher.augment([Eq(i) for i in range(len(given))])
-
-    def has_room(equation: CausalEquation) -> bool:
-        return not matcher.augment([matcher.add_equation(rows(profiler.profile(equation), index))])
-
-    used = list(given)
-    checks: list[CausalEquation] = []
-    values: list[InitialValue] = []
+    conditions = _Conditions(given, unknowns, profiler)
     for equation in reduced.model.initial_equations:
-        (used if has_room(equation) else checks).append(equation)
+        conditions.add(InitialCondition(equation))
+    equations = len(conditions.taken)
     for start in fixed:
-        (used if has_room(start.equation()) else checks).append(start.equation())
-        values.append(start.report())
+        conditions.add(start.condition())
+    values = [start.report() for start in fixed]
     for start in _assumable(reduced, states):
-        if len(used) == len(unknowns):
+        if conditions.complete:
             break
-        if has_room(start.equation()):
-            used.append(start.equation())
+        if conditions.add(start.condition(), must=False):
             values.append(start.report())
-    return _assembled(reduced, used, unknowns, checks, values, profiler)
+    blocks = _ordered(reduced, conditions.used, unknowns, profiler)
+    reported = (*values, *_guesses(reduced, blocks, {value.name for value in values}))
+    return InitialProblem(
+        blocks,
+        reported,
+        tuple(Residual(sub(c.equation.left, c.equation.right), c.equation) for c in conditions.surplus),
+        needed=len(unknowns) - len(given),
+        equations=equations,
+        conflicts=conditions.conflicts(),
+        unused=_unused(reduced, reported),
+    )
 
 
 def _assumable(reduced: Reduced, states: Sequence[str]) -> list[_Start]:
@@ -180,14 +239,9 @@ def _parameter_start(variable: Variable, reduced: Reduced) -> Expr:
     return start_or_default(variable, reduced.model.values)
 
 
-def _assembled(
-    reduced: Reduced,
-    used: list[CausalEquation],
-    unknowns: list[Expr],
-    checks: list[CausalEquation],
-    values: list[InitialValue],
-    profiler: Profiler,
-) -> InitialProblem:
+def _ordered(
+    reduced: Reduced, used: list[CausalEquation], unknowns: list[Expr], profiler: Profiler
+) -> tuple[Block, ...]:
     try:
         square = square_system([profiler.profile(e) for e in used], unknowns)
     except NoCompleteMatching as problem:
@@ -195,10 +249,7 @@ def _assembled(
         free = [unknowns[var] for var in matching.unmatched_variables()]
         surplus = [used[eq] for eq in matching.unmatched_equations()]
         raise _singular(reduced, free, surplus) from None
-    blocks = ordered_blocks(square)
-    known = {value.name for value in values}
-    residuals = tuple(Residual(sub(e.left, e.right), e) for e in checks)
-    return InitialProblem(blocks, (*values, *_guesses(reduced, blocks, known)), residuals)
+    return ordered_blocks(square)
 
 
 def _singular(reduced: Reduced, free: list[Expr], surplus: list[CausalEquation]) -> InitializationProblem:
