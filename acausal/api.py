@@ -39,6 +39,7 @@ if (
     from acausal.codegen.functions import Code
     from acausal.explain.explanation import Explanation
     from acausal.simulate.inputs import InputValue
+    from acausal.simulate.jacobian import Jacobian
     from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
     from acausal.symbolic.causal import Block, CausalSystem
@@ -212,6 +213,30 @@ class CompiledModel:
             parameters=parameters,
             start=start,
             inputs=inputs,
+        )
+
+    def jacobian(
+        self,
+        of: str = "derivatives",
+        wrt: str = "states",
+        *,
+        time: float | None = None,
+        states: Mapping[str, float] | None = None,
+        parameters: Mapping[str, Override] | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, InputValue] | None = None,
+    ) -> Jacobian:
+        """The exact sparse Jacobian of `derivatives`, `events`, `outputs` or `residuals`, with names.
+
+        `wrt` are `states`, `inputs` or `parameters`; for residuals also `unknowns`. The point is the initial
+        one at `time` (s), with some `states` replaced. Raises `UsageProblem`, `LookupProblem`,
+        `InitializationProblem` and `SimulationProblem`.
+        """
+        from acausal.simulate.jacobian import jacobian_at
+
+        when = time if time is not None else self.flat.experiment.start_time or 0.0
+        return jacobian_at(
+            self.code, of, wrt, time=when, states=states, parameters=parameters, start=start, inputs=inputs
         )
 
     def __repr__(self) -> str:
