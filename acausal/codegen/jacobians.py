@@ -1,6 +1,6 @@
 """Exact Jacobians of everything with respect to everything: CasADi Functions, made when they are asked for.
 
-`derivatives`, `events` and `outputs` are functions of states, inputs and parameters: what is solved for on the
+`derivatives`, `events` and `outputs` are functions of states, inputs and parameters: what is solved on the
 way (torn blocks) follows by the implicit function theorem. `residuals` are the equations of the running
 system, left minus right side, as functions of all their variables, `unknowns` among them, as if these were
 independent. Every matrix is sparse, differentiated forward with coloured columns.
