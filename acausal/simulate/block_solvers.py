@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,20 +70,24 @@ def _linear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) -> Ve
     off = np.abs(residual + np.asarray(jacobian @ z))
     if np.all(off <= CONSISTENT * terms):
         return z
-    raise singular(code.block, dependent_rows(matrix) or (), how)
-
-
-def singular(block: Block, dependent: tuple[int, ...], how: Walk) -> AcausalError:
-    """The error for equations that depend on each other and have no common solution."""
-    return _problem(
-        block,
-        list(dependent),
-        how,
-        "singular-block",
-        "a system of equations is singular",
-        "these equations depend on each other and contradict each other at this point: "
-        "look for a missing reference, a zero gain, or two ideal elements that fight",
+    raise singular(
+        code.block, dependent_rows(matrix) or (), how, list(zip(code.reads, known.tolist(), strict=True))
     )
+
+
+def singular(
+    block: Block, dependent: tuple[int, ...], how: Walk, known: Sequence[tuple[Expr, float]] = ()
+) -> AcausalError:
+    """The error for equations that depend on each other and have no common solution at the `known` values."""
+    why = (
+        "these equations depend on each other and contradict each other at this point: "
+        "look for a missing reference, a zero gain, or two ideal elements that fight"
+        if block.size > 1
+        else "the coefficient of its unknown is zero here, and the rest of the equation is not"
+    )
+    given = values_text([(leaf, value) for leaf, value in known if leaf.op in ("sym", "der")])
+    hint = f"{why}; with {given}" if given else why
+    return _problem(block, list(dependent), how, "singular-block", "a system of equations is singular", hint)
 
 
 def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) -> tuple[Vector, bool]:
@@ -100,7 +105,7 @@ def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) ->
         return continued.z, True
     residual, jacobian = system(solution.z)
     dependent = newton.null_rows(jacobian, solution.z, nominal)
-    if dependent is not None:
+    if dependent is not None and len(dependent) > 1:
         raise singular(block, dependent, how)
     raise _unsolved(block, solution, residual, start, how)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from acausal.errors import AcausalError, Diagnostic, Span
+from acausal.errors import AcausalError, Diagnostic, InitializationProblem, Span
 from acausal.symbolic.causal import Block, CausalEquation, ZeroCrossing
 from acausal.symbolic.describe import shown
 from acausal.symbolic.expressions.expr import Expr, symbols
@@ -51,9 +51,13 @@ def block_problem(
     unknowns = [leaf_name(leaf) for leaf in block.unknowns]
     noun = "unknown" if len(unknowns) == 1 else "unknowns"
     equations = [block.residuals[i].equation for i in worst] or block_equations(block)[:1]
+    if code.endswith("singular-block"):  # what was put into the residuals may be the reason
+        equations += [a.equation for a in block.assignments]
     texts = some([f"`{shown(e)}`" for e in equations])
+    system = "initial" if kind is InitializationProblem else "running"
     message = (
-        f"{what} {at(time)}: block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
+        f"{what} {at(time)} in the {system} system: "
+        f"block of {len(unknowns)} {noun} {some(unknowns)}; equations involved: {texts}"
     )
     first = Diagnostic(code, message, equations[0].flat.span, tuple(unknowns), hint)
     rest = [

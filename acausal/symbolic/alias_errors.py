@@ -9,7 +9,7 @@ from acausal.lang.flat import Equation, FlatModel, Origin
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
 from acausal.symbolic.describe import base_name, cut, equation_with_place, listed, shown
-from acausal.symbolic.expressions.diff import NotDifferentiable
+from acausal.symbolic.expressions.diff import INPUT, NotDifferentiable
 from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.expressions.text import to_text
@@ -41,7 +41,7 @@ def _surplus(equation: Equation, names: tuple[str, ...], why: str, hint: str = _
     return BalanceProblem(
         Diagnostic(
             "alias.loop",
-            f"the equation `{shown(equation)}` determines nothing: {why}",
+            f"the equation `{shown(equation)}` determines nothing in the running system: {why}",
             equation.span,
             names,
             hint,
@@ -69,7 +69,8 @@ def two_values(
         [
             Diagnostic(
                 "alias.contradiction",
-                f"the equation `{shown(one)}` contradicts {equation_with_place(two)}{through}: "
+                f"in the running system the equation `{shown(one)}` contradicts "
+                f"{equation_with_place(two)}{through}: "
                 f"`{name}` would be both {to_text(mine)} and {to_text(its)}",
                 one.span,
                 tuple(dict.fromkeys((name, *_names(one)))),
@@ -91,7 +92,7 @@ def no_unknown_left(
     return BalanceProblem(
         Diagnostic(
             "alias.contradiction",
-            f"`{shown(source)}` cannot hold: with the other equations it reads {reduced}",
+            f"in the running system `{shown(source)}` cannot hold: with the others it reads {reduced}",
             source.span,
             _names(source),
             "correct this equation; no values of its variables satisfy it",
@@ -114,6 +115,13 @@ def _names(equation: Equation) -> tuple[str, ...]:
     return tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right])))
 
 
+_NO_SLOPE = "prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)"
+_NO_SLOPE_OF_INPUT = (
+    "an input has no derivative here: prescribe this by a differentiable source inside the model, "
+    "or let the input act through something that stores (a filter, an inertia, a volume)"
+)
+
+
 def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
     """The typed error for an equation that had to be differentiated."""
     what = cut(to_text(problem.expr))
@@ -123,6 +131,6 @@ def not_differentiable(problem: NotDifferentiable, equation: Equation) -> Reduct
         f"the equation `{shown(equation)}` must be differentiated, but `{what}` cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
-        hint="prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)",
+        hint=_NO_SLOPE_OF_INPUT if problem.reason == INPUT else _NO_SLOPE,
     )
     return ReductionProblem(error.diagnostics)

@@ -105,7 +105,8 @@ def _diagnostics(system: Structure, matching: Matching, model: str) -> list[Diag
         code = "balance.too-few-equations"
     else:
         code = "balance.structurally-singular"
-    counts = f"{model} has {counted(n_equations, 'equation')} for {counted(n_unknowns, 'unknown')}"
+    size = f"{counted(n_equations, 'equation')} for {counted(n_unknowns, 'unknown')}"
+    counts = f"the running system of {model} has {size}"
     if n_equations == n_unknowns:
         counts += ", but they are structurally singular"
     over: list[Diagnostic] = []
@@ -135,7 +136,9 @@ def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnos
     what = f"{counted(len(names), 'unknown')} ({listed(names)})" if names else "no unknown at all"
     verb = "determine" if len(texts) > 1 else "determines"
     why = f"{counts}: {counted(len(texts), 'equation')} {verb} {what}: {listed(texts)}"
-    result = [Diagnostic(code, why, system.equations[suspects[0]].span, names, _hint_over(system, part))]
+    first = system.equations[suspects[0]]
+    about = names or symbols([first.left, first.right])
+    result = [Diagnostic(code, why, first.span, about, _hint_over(system, part))]
     for eq in suspects[1:SHOWN]:
         equation = system.equations[eq]
         message = f"`{shown(equation)}` belongs to the {len(part.equations)} equations in conflict"
@@ -143,12 +146,16 @@ def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnos
     return result
 
 
-def _suspicion(system: Structure, eq: Eq) -> tuple[bool, int, int]:
-    """Equations written by hand, near the top and late in the source come first."""
+def _suspicion(system: Structure, eq: Eq) -> tuple[int, int, int]:
+    """What the model itself says first, then what prescribes one quantity, then the rest, connections last.
+
+    Among equals those near the top and late in the source.
+    """
     equation = system.equations[eq]
-    generated = equation.origin in (Origin.FLOW_BALANCE, Origin.UNCONNECTED)
     depth = 0 if not equation.component else 1 + dots(equation.component)
-    return generated, depth, -eq
+    connected = equation.origin in (Origin.CONNECTION, Origin.FLOW_BALANCE, Origin.UNCONNECTED)
+    rank = 3 if connected else 0 if not depth else 1 if len(system.incidence[eq]) == 1 else 2
+    return rank, depth, -eq
 
 
 def _hint_over(system: Structure, part: Part) -> str:
@@ -163,9 +170,31 @@ def _hint_over(system: Structure, part: Part) -> str:
             + listed([f"`{shown(equation)}`" for equation in zero])
             + " stands for an unconnected connector"
         )
-    if any(system.equations[eq].origin is Origin.CONNECTION for eq in part.equations):
-        return f"{remove}, or one of the connections: two sources may prescribe the same quantity"
-    return remove
+    return remove + _prescribed_twice(system, part)
+
+
+def _prescribed_twice(system: Structure, part: Part) -> str:
+    """Which components prescribe what is joined in the part, and what may be missing between them."""
+    origins = {system.equations[eq].origin for eq in part.equations}
+    if not origins & {Origin.CONNECTION, Origin.FLOW_BALANCE}:
+        return ""
+    sources = [
+        equation.component
+        for eq in part.equations
+        if len(system.incidence[eq]) == 1 and (equation := system.equations[eq]).component
+    ]
+    who = listed([f"`{name}`" for name in dict.fromkeys(sources)])
+    if Origin.CONNECTION in origins:
+        named = f"{who} prescribe" if len(sources) > 1 else "two sources may prescribe"
+        return (
+            f", or one of the connections: {named} the same quantity, with nothing in between that gives way"
+        )
+    flows = (
+        "two components prescribe the flow through the same place"
+        if len(sources) > 1
+        else "these flows add up"
+    )
+    return f": {flows}, or a reference (ground, tank, fixed flange) or a storage is missing there"
 
 
 def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagnostic]:
@@ -184,7 +213,7 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
     texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
     by = f"only {counted(len(texts), 'equation')}: {listed(texts)}" if texts else "no equation"
     why = f"{counts}: {counted(len(names), 'unknown')} ({listed(names)}) for {by}"
-    hint = _hint_under(variables, len(part.variables) - len(part.equations))
+    hint = _hint_under(system, variables, len(part.variables) - len(part.equations))
     result = [Diagnostic(code, why, variables[0].span, names, hint)]
     for variable in variables[1:SHOWN]:
         message = f"`{variable.name}` belongs to the unknowns without enough equations"
@@ -194,11 +223,24 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
     return result
 
 
-def _hint_under(variables: list[Variable], number: int) -> str:
+def _connectors(system: Structure) -> frozenset[str]:
+    """The connectors that have flows."""
+    return frozenset(v.name.rpartition(".")[0] for v in system.unknowns if v.flow)
+
+
+def _hint_under(system: Structure, variables: list[Variable], number: int) -> str:
     add = "add an equation for one of them" if number == 1 else f"add {number} equations for some of them"
     connectors = [v.name.rsplit(".", 1)[0] for v in variables if v.flow and "." in v.name]
     if connectors:
         return f"{add}, or connect {listed(list(dict.fromkeys(connectors)))}"
+    open_ = {e.left.name.rpartition(".")[0] for e in system.equations if e.origin is Origin.UNCONNECTED}
+    ends = [end for v in variables if (end := v.name.rpartition(".")[0]) in open_]
+    if ends:
+        return f"{add}, or connect {listed(list(dict.fromkeys(ends)))}"
+    if any(v.name.rpartition(".")[0] in _connectors(system) for v in variables):
+        return (
+            f"{add}, or connect them to a reference (ground, tank, fixed flange): nothing fixes their level"
+        )
     if any(not v.top_level for v in variables):
         return f"{add}, or make them parameters or inputs; a connection may be missing"
     return f"{add}, or make them parameters or inputs"

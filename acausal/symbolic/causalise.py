@@ -141,7 +141,7 @@ def _singular(reduced: Reduced, problem: NoCompleteMatching) -> ReductionProblem
     free = leaf_texts(square.unknowns[var] for var in square.matching.unmatched_variables())
     surplus = [square.profiles[eq].equation.flat for eq in square.matching.unmatched_equations()]
     span = surplus[0].span if surplus else reduced.model.flat.span
-    message = f"after index reduction the equations do not determine {listed(free)}"
+    message = f"after index reduction the equations of the running system do not determine {listed(free)}"
     if surplus:
         message += f", and {listed([equation_with_place(e) for e in surplus])} determines nothing"
     hint = "terms of these equations cancel: one of them follows from the others"

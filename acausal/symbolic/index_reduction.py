@@ -129,7 +129,7 @@ def _pantelides(model: Simplified, incidence: list[list[Var]], derivative_of: li
         return pantelides(incidence, len(derivative_of), derivative_of)
     except StructurallySingular:
         system = structure([(e.flat, e.left, e.right) for e in model.equations], model.unknowns)
-        require_complete(system, f"after alias elimination {model.flat.name}")
+        require_complete(system, f"{model.flat.name} (after alias elimination)")
         raise
     except TooManyDifferentiations as problem:
         culprits = [model.equations[eq] for eq in problem.equations]

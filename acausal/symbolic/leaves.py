@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from acausal.lang.flat import Causality, FlatModel, Variability, Variable
 from acausal.symbolic.describe import base_name
-from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
+from acausal.symbolic.expressions.diff import INPUT, NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.evaluate import Lookup
 from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, neg, parts, pre, rebuild, sym
 from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS, RELATIONS
@@ -147,5 +147,5 @@ class Rewriter:
             return self._derivative(arg)
         slope = self._chains.derivative(arg)
         if slope is None:
-            raise NotDifferentiable(arg, "it is an input")
+            raise NotDifferentiable(arg, INPUT)
         return slope

@@ -218,7 +218,7 @@ class _Chooser:
         return fail(
             ReductionProblem,
             "reduction.redundant-constraints",
-            f"these constraints are not independent: {listed(list(texts))}",
+            f"these constraints of the running system are not independent: {listed(list(texts))}",
             involved[0].flat.span,
             names=names,
             hint="one of them follows from the others (a closed loop of rigid connections?): remove it, "

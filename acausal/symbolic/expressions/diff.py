@@ -45,6 +45,10 @@ DerivativeOf = Callable[[Expr], Expr | None]
 """The time derivative of a leaf: `ZERO` for a parameter, None where it has none."""
 
 
+INPUT = "it is an input"
+"""The reason where a model's input would have to be differentiated."""
+
+
 class NotDifferentiable(Exception):
     """`expr` has no time derivative; `reason` says why in words that fit behind a colon."""
 
@@ -309,7 +313,7 @@ class TimeDerivative:
         if node.op == "pre":
             return ZERO
         slope = self._derivative_of(node)
-        return NotDifferentiable(node, "it is an input") if slope is None else slope
+        return NotDifferentiable(node, INPUT) if slope is None else slope
 
     def _allowed(self, node: Expr) -> bool:
         condition = node.args[0]
