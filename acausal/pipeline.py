@@ -82,6 +82,7 @@ def compile_model(
         if stop_after == "instance":
             return Compilation(node, instance, seconds=clock.seconds)
         flat, warnings = clock.run("flatten", lambda: flatten_and_check(translator, instance))
+        warnings = (*library.warnings, *warnings)
         if stop_after == "flat":
             return Compilation(node, instance, flat, warnings=warnings, seconds=clock.seconds)
         from acausal.symbolic.causalise import causalise  # late: a check does not need it

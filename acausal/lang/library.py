@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
-from acausal.errors import LookupProblem, Source, Span, SyntaxProblem, fail
+from acausal.errors import Diagnostic, LookupProblem, Source, Span, SyntaxProblem, fail
 from acausal.lang import ast
 from acausal.lang.imports import Imports, imports_of
 from acausal.lang.lexer import decode
+from acausal.lang.library_versions import Wish, chosen, mismatch, uses_of
 from acausal.lang.parse_cache import cache_directory, read_stored
 from acausal.lang.reading_time import reading
 
@@ -116,7 +117,25 @@ class ClassNode:
     def _load_stored(self, name: str) -> ClassNode | None:
         assert self.folder is not None
         found = find_stored(self.folder, name)
-        return None if found is None else load_class(found, name, self)
+        if found is None:
+            return None
+        root = self
+        while root.parent is not None:
+            root = root.parent
+        if root.folder is not None and not found.resolve().is_relative_to(root.folder.resolve()):
+            raise _outside(found, root.path)
+        return load_class(found, name, self)
+
+
+def _outside(path: Path, package: str) -> LookupProblem:
+    """A link that leads out of its library: only the entries of the library path itself may be links."""
+    return fail(
+        LookupProblem,
+        "library.outside",
+        f"{display_path(path)} lies outside the folder of `{package}`, to which it is linked",
+        names=[package],
+        hint="link the whole library into the library path, not parts of it",
+    )
 
 
 def stored_names(folder: Path) -> Iterator[str]:
@@ -138,32 +157,20 @@ def stored_order(folder: Path) -> list[str]:
 
 
 def find_stored(folder: Path, name: str) -> Path | None:
-    """`folder/name/package.mo` or `folder/name.mo`."""
-    for candidate in (folder / name / "package.mo", folder / f"{name}.mo"):
-        if candidate.is_file():
-            return candidate
-    return None
+    """`folder/name/package.mo` or `folder/name.mo`. Raises `LookupProblem` when both are there."""
+    if not _is_entry(name):
+        return None
+    found = [p for p in (folder / name / "package.mo", folder / f"{name}.mo") if p.is_file()]
+    if len(found) > 1:
+        message = f"`{name}` is stored twice: as {display_path(found[0])} and as {display_path(found[1])}"
+        hint = "a class is stored either as a folder or as a file (Modelica 3.6, 13.4)"
+        raise fail(LookupProblem, "library.stored-twice", message, names=[name], hint=hint)
+    return found[0] if found else None
 
 
-def find_top_level(directories: Sequence[Path], name: str) -> Path | None:
-    """The first `Name/package.mo`, `Name VERSION/package.mo` (highest version) or `Name.mo` on the path."""
-    for directory in directories:
-        found = find_stored(directory, name)
-        if found is not None:
-            return found
-        versioned = [
-            p / "package.mo"
-            for p in directory.glob(f"{name} *")
-            if p.name.startswith(f"{name} ") and (p / "package.mo").is_file()
-        ]
-        if versioned:
-            return max(versioned, key=lambda p: _version_key(p.parent.name[len(name) + 1 :]))
-    return None
-
-
-def _version_key(version: str) -> tuple[tuple[int, str], ...]:
-    parts = version.replace("-", ".").split(".")
-    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in parts)
+def _is_entry(name: str) -> bool:
+    """Whether a class name can be that of an entry of a folder; a quoted one may hold anything."""
+    return not any(character in name for character in "/\\\0") and name not in {".", ".."}
 
 
 def read_source(path: Path, shown: str | None = None) -> Source:
@@ -229,6 +236,9 @@ class Library:
 
     def __post_init__(self) -> None:
         self._classes: dict[str, ClassNode | None] = {}
+        self._wishes: dict[str, list[Wish]] = {}
+        self.warnings: list[Diagnostic] = []
+        """Libraries that are not in the version that somebody uses."""
         self.given: list[str] = []
         """Names of the classes that were added from texts, in order."""
 
@@ -245,6 +255,7 @@ class Library:
             )
         node = ClassNode(definition, None, folder)
         self._classes[definition.name] = node
+        self._note_uses(definition)
         self.given.append(definition.name)
         return node
 
@@ -257,9 +268,43 @@ class Library:
     def top_level(self, name: str) -> ClassNode | None:
         """The top-level class `name`, loaded from the path when needed."""
         if name not in self._classes:
-            found = find_top_level(self.directories, name)
-            self._classes[name] = None if found is None else load_class(found, name, None)
+            wishes = self._wishes.get(name, [])
+            node = self._load(name, wishes[0] if wishes else None)
+            self._classes[name] = node
+            if node is not None:
+                self._note_uses(node.definition)
+                for wish in wishes:
+                    self._compare(node.definition, wish)
         return self._classes[name]
+
+    def _load(self, name: str, wish: Wish | None) -> ClassNode | None:
+        if not _is_entry(name):
+            return None
+        nodes: dict[Path, ClassNode] = {}
+
+        def read(path: Path) -> ast.ClassDefinition:
+            if path not in nodes:
+                nodes[path] = load_class(path, name, None)
+            return nodes[path].definition
+
+        found = chosen(self.directories, name, wish, read)
+        if found is None:
+            return None
+        read(found)
+        return nodes[found]
+
+    def _note_uses(self, definition: ast.ClassDefinition) -> None:
+        """Remember which versions a top-level class uses; of what is loaded already they are compared now."""
+        for name, wish in uses_of(definition).items():
+            self._wishes.setdefault(name, []).append(wish)
+            node = self._classes.get(name)
+            if node is not None:
+                self._compare(node.definition, wish)
+
+    def _compare(self, definition: ast.ClassDefinition, wish: Wish) -> None:
+        warning = mismatch(definition, wish)
+        if warning is not None:
+            self.warnings.append(warning)
 
     def top_level_names(self) -> list[str]:
         """Names that can be loaded, for suggestions; sorted."""
