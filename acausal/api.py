@@ -327,7 +327,7 @@ def as_modelica(value: ParameterValue, name: str = "") -> str:
 
 def check_names(compiled: CompiledModel, names: Iterable[str]) -> None:
     """Raises `LookupProblem` for a name that no result of the model will hold."""
-    from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
+    from acausal.simulate.names import NAME_IT_TOO, derivative_of_alias, did_you_mean, left_out
     from acausal.symbolic.expressions.text import to_text
 
     removed = compiled.causal.removed
@@ -342,7 +342,7 @@ def check_names(compiled: CompiledModel, names: Iterable[str]) -> None:
             hint=NAME_IT_TOO if name in gone else did_you_mean(name, known),
         )
         for name in names
-        if name not in known
+        if (derivative_of_alias(compiled.causal, name) or (1.0, name))[1] not in known
     ]
     if problems:
         raise LookupProblem(problems)

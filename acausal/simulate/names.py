@@ -1,9 +1,28 @@
-"""Close matches for names that do not exist."""
+"""Names that a result is asked for: derivatives of aliases, and close matches for what does not exist."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+
+from acausal.symbolic.causal import CausalSystem
+
+
+def derivative_of_alias(system: CausalSystem, name: str) -> tuple[float, str] | None:
+    """For `der(y)` of an alias `y = x` or `y = -x`: the sign, and `der(x)`; None for anything else."""
+    if not (name.startswith("der(") and name.endswith(")")):
+        return None
+    sign, seen = 1.0, name[4:-1]
+    for _ in range(len(system.aliases) + 1):
+        value = system.alias_values.get(seen)
+        if value is None:
+            break
+        if value.op == "neg":
+            sign, value = -sign, value.args[0]
+        if value.op != "sym":
+            return None
+        seen = value.name
+    return (sign, f"der({seen})") if seen != name[4:-1] else None
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

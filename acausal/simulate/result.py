@@ -15,7 +15,7 @@ from acausal.lang.flat import Variable
 from acausal.simulate.costs import StateCost
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
-from acausal.simulate.names import NAME_IT_TOO, did_you_mean, left_out
+from acausal.simulate.names import NAME_IT_TOO, derivative_of_alias, did_you_mean, left_out
 from acausal.simulate.record import Ending
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.evaluate import evaluate
@@ -77,8 +77,7 @@ class Result:
 
     def values(self, name: str) -> Vector:
         """The values of `name` over time; aliases and parameters included. Raises `LookupProblem`."""
-        sign = 1.0
-        seen = name
+        sign, seen = derivative_of_alias(self.system, name) or (1.0, name)
         for _ in range(len(self.system.aliases) + 1):
             column = self._columns.get(seen)
             if column is not None:
