@@ -22,6 +22,7 @@ def isolated_environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[N
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", str(tmp_path_factory.mktemp("home")))
         patch.setenv("ACAUSAL_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("ACAUSAL_COMPILE", "never")  # no process outlives its test
         patch.delenv("MODELICAPATH", raising=False)
         patch.delenv("XDG_CACHE_HOME", raising=False)
         patch.delenv("ACAUSAL_CACHE", raising=False)

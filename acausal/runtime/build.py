@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
+from time import time
 
 from acausal.errors import UnsupportedProblem, fail
 
@@ -158,15 +159,73 @@ def build(sources: Sources) -> Path:
     return library
 
 
+_BUILDER = """
+import hashlib, os, shutil, subprocess, sys
+folder, library, digest, *command = sys.argv[1:]
+try:
+    os.nice(10)
+    made = os.path.join(folder, command[command.index("-o") + 1])
+    quiet = subprocess.DEVNULL
+    if subprocess.call(command, cwd=folder, stdin=quiet, stdout=quiet, stderr=quiet, timeout=600) == 0:
+        with open(made, "rb") as file:
+            text = hashlib.sha256(file.read()).hexdigest()
+        with open(made + ".sha256", "w") as file:
+            file.write(text + "\\n")
+        os.replace(made, library)
+        os.replace(made + ".sha256", digest)
+finally:
+    shutil.rmtree(folder, ignore_errors=True)
+"""
+
+
+_running: list[subprocess.Popen[bytes]] = []
+"""Processes that may still compile; kept, since Python complains of those it forgets."""
+
+
+def start(sources: Sources) -> None:
+    """Begins to compile, in a process of its own that nobody waits for: `cached` finds what comes of it.
+
+    Not twice at a time, not where `ACAUSAL_COMPILE` is `never`; without a compiler nothing happens.
+    """
+    tool = compiler()
+    if tool is None or os.environ.get("ACAUSAL_COMPILE") == "never":
+        return
+    directory, key = _directory(), _key(sources, tool)
+    folder = directory / f"building-{key}"
+    library = directory / f"{key}{_SUFFIX}"
+    try:
+        if folder.exists() and time() - folder.stat().st_mtime > _TIMEOUT:
+            shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(mode=0o700)
+        for name, content in sources.files.items():
+            (folder / name).write_text(content, encoding="utf-8")
+        where = [str(path) for path in (folder, library, library.with_suffix(".sha256"))]
+        quiet = subprocess.DEVNULL
+        _running[:] = [process for process in _running if process.poll() is None]
+        process = subprocess.Popen(
+            [sys.executable, "-I", "-S", "-c", _BUILDER, *where, *_command(sources, tool)],
+            stdin=quiet,
+            stdout=quiet,
+            stderr=quiet,
+            start_new_session=True,
+        )
+        _running.append(process)
+    except OSError:
+        return  # it is being built already, or cannot be: the run goes on without
+
+
+def _command(sources: Sources, tool: Compiler) -> list[str]:
+    units = [name for name in sources.files if name.endswith(".c")]
+    return [tool.path, sources.level, *_FLAGS, *units, "-o", f"library{_SUFFIX}", *sources.link, "-lm"]
+
+
 def _compile(sources: Sources, tool: Compiler, folder: Path) -> Path:
     for name, content in sources.files.items():
         (folder / name).write_text(content, encoding="utf-8")
     made = folder / f"library{_SUFFIX}"
-    units = [name for name in sources.files if name.endswith(".c")]
-    command = [tool.path, sources.level, *_FLAGS, *units, "-o", made.name, *sources.link, "-lm"]
     try:
         run = subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, timeout=_TIMEOUT, check=False
+            _command(sources, tool), cwd=folder, capture_output=True, text=True, timeout=_TIMEOUT, check=False
         )
         problem = "" if run.returncode == 0 else (run.stderr.strip().splitlines() or ["it says nothing"])[0]
     except (OSError, subprocess.TimeoutExpired) as found:

@@ -1,9 +1,11 @@
 """A model's functions for the run-time: bound to arrays, by CasADi's virtual machine or as compiled C.
 
-Both do the same operations in the same order, so that their results are the same to rounding, mostly to the
-bit. Compiling costs seconds for a large model, a virtual machine about three times the time per evaluation:
-`Machine` therefore takes the compiled functions where they are in the cache already, and else starts on the
-virtual machine and compiles once a run has made `WORTH` evaluations.
+Both do the same operations in the same order with the same library, so that their results are the same to
+the bit, as far as the C compiler does not compute ahead what the library rounds otherwise. Compiling costs a
+second or more, a virtual machine about three times the time per evaluation. `Machine` therefore takes the
+compiled functions where they are in the cache already. Else it begins on the virtual machine, has the
+functions compiled by another process once a run has made `WORTH` evaluations, and takes them when they are
+there: in this run if it is long, else in the next.
 """
 
 from __future__ import annotations
@@ -26,8 +28,8 @@ from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
 from acausal.simulate.matrices import Vector
 
-WORTH = 60_000
-"""Evaluations after which compiling pays: it takes about 0.2 ms an operation, and saves 3 ns in each."""
+WORTH = 4_000
+"""Evaluations that make a model worth compiling in the background."""
 LARGE = 60_000
 """Operations from which on the C compiler is told to try less hard."""
 
@@ -40,6 +42,7 @@ class Machine:
     def __init__(self, code: Code) -> None:
         self.functions = run_functions(code)
         self._sources: build.Sources | None = None
+        self._begun = False
         self.library: ctypes.CDLL | None = None
 
     @property
@@ -54,6 +57,12 @@ class Machine:
         """Takes the compiled functions if they are in the cache."""
         if self.library is None:
             self._load(build.cached(self.sources))
+
+    def begin(self) -> None:
+        """Has the functions compiled by another process; `look_up` finds them when it is done."""
+        if not self._begun:
+            self._begun = True
+            build.start(self.sources)
 
     def compile(self) -> None:
         """Compiles if that has not happened. Raises `UnsupportedProblem` where it cannot."""

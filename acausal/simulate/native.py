@@ -305,16 +305,15 @@ class NativeSolver:
         return np.ctypeslib.as_array((ctypes.c_int * size).from_address(self._solver.crossed)).astype(np.int_)
 
     def _maybe_compile(self) -> None:
-        """Compiles once the run has become long enough for that to pay."""
+        """Has the model compiled once the run has become long, and goes over to what came of it."""
         evaluations = self._model.evaluations + self._model.jacobians
         if self._compiled is not None or self._machine.library is not None or evaluations <= WORTH:
             return
         began = process_time()
-        try:
-            self._machine.compile()
+        self._machine.begin()
+        self._machine.look_up()
+        if self._machine.library is not None:
             self._bind_functions()
-        except AcausalError:
-            self._compiled = False
         self._compiling += process_time() - began
 
     def _failure(self, status: int) -> AcausalError:

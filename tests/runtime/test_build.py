@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 from pathlib import Path
+from time import sleep
 
 import pytest
 
@@ -121,3 +122,23 @@ def test_home_without_a_cache_still_works(tmp_path: Path, monkeypatch: pytest.Mo
     blocked.write_text("")
     monkeypatch.setenv("ACAUSAL_CACHE", os.fspath(blocked / "inside"))
     assert build.build(TWO).exists()
+
+
+def test_another_process_compiles_in_the_background(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    build.start(TWO)
+    assert not cache.exists() or not list(cache.iterdir())
+    monkeypatch.delenv("ACAUSAL_COMPILE")
+    build.start(TWO)
+    build.start(TWO)
+    for _ in range(600):
+        if build.cached(TWO) is not None:
+            break
+        sleep(0.1)
+    library = build.cached(TWO)
+    assert library is not None
+    assert build.load(library)
+    for _ in range(100):
+        if not list(cache.glob("building-*")):
+            break
+        sleep(0.1)
+    assert sorted(p.suffix for p in cache.iterdir()) == sorted([library.suffix, ".sha256"])
