@@ -31,7 +31,7 @@ def test_version(call: Call) -> None:
     assert call("--version").out == f"acausal {__version__}\n"
 
 
-@pytest.mark.parametrize("command", ["check", "compile", "explain", "simulate"])
+@pytest.mark.parametrize("command", ["check", "compile", "explain", "profile", "simulate"])
 def test_help_names_every_option(call: Call, command: str) -> None:
     done = call(command, "--help")
     assert done.status == 0
