@@ -12,7 +12,6 @@
 #include "acausal_runtime.h"
 
 #define LEAST 4        /* points of a step of variable length at which roots are looked at */
-#define ARMED 1e-2     /* a root this large beside its slack has left zero */
 #define HALVINGS 200
 
 static double value(const ac_solver *s, int i, const double *g)
@@ -33,7 +32,7 @@ static int crossed(const ac_solver *s, const double *g)
 static void arm(ac_solver *s, const double *g)
 {
     for (int i = 0; i < s->model->crossings; i++) {
-        if (s->slack[i] > 0.0 && s->side[i] * g[i] > ARMED * s->slack[i]) {
+        if (s->slack[i] > 0.0 && s->side[i] * g[i] > s->slack[i]) {
             s->slack[i] = 0.0;
         }
     }
