@@ -25,7 +25,7 @@ def assertion_of(translation: Translation, call: ast.Call, env: Env, component: 
     level = "error"
     if "level" in arguments:
         level = _level(translation, arguments["level"], env)
-    text = ex.const(_text(translation, arguments["message"], env, "an assertion"))
+    text = _text(translation, arguments["message"], env, "an assertion")
     return Assertion(condition, text, level, call.span, component)
 
 
@@ -35,7 +35,7 @@ def termination_text(translation: Translation, call: ast.Call, env: Env) -> Expr
     if len(arguments) != 1 or len(call.arguments) + len(call.named) != 1:
         message = "`terminate` takes a message"
         raise type_error("call.arguments", message, call.span, "", ("terminate",))
-    return ex.const(_text(translation, arguments[0], env, "`terminate`"))
+    return _text(translation, arguments[0], env, "`terminate`")
 
 
 def _level(translation: Translation, node: ast.Expression, env: Env) -> str:
@@ -46,20 +46,19 @@ def _level(translation: Translation, node: ast.Expression, env: Env) -> str:
     return found.literal
 
 
-def _text(translation: Translation, node: ast.Expression, env: Env, what: str) -> str:
-    """The text of a message; one that is computed at run time is shown as it is written."""
+def _text(translation: Translation, node: ast.Expression, env: Env, what: str) -> Expr:
+    """The text of a message; one that cannot be computed is shown as it is written."""
     start = len(translation.assertions)
     try:
         value = as_scalar(translation.value(node, env), node.span)
     except UnsupportedProblem:
-        return print_expression(node)
+        return ex.const(print_expression(node))
     finally:
         del translation.assertions[start:]  # a message is evaluated when it is needed (8.3.7)
     if value.type != STRING:
         message = f"the message of {what} is a String, not {describe(value)}"
         raise type_error("type.mismatch", message, node.span)
-    text = value.item.value if value.item.is_const else None
-    return text if isinstance(text, str) else print_expression(node)
+    return value.item
 
 
 def guard_assertions(found: list[Assertion], start: int, guard: Expr) -> None:

@@ -12,8 +12,8 @@ from acausal.lang.flat import Assertion
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at
-from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import Constant, Expr, symbols
+from acausal.simulate.texts import message_text
+from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.expressions.text import to_text
 
 
@@ -82,7 +82,7 @@ class Recorder:
 
     def violated(self, assertion: Assertion, time: float) -> None:
         """Notes a warning; raises `SimulationProblem` (`simulate.assertion`) for an error."""
-        text = message_text(assertion.message)
+        text = self.text(assertion.message)
         names = symbols([assertion.condition])
         if assertion.level.endswith("warning"):
             message = f"{text} (first {at(time)}; `{to_text(assertion.condition)}` is false)"
@@ -91,6 +91,10 @@ class Recorder:
             return
         message = f"{text} ({at(time)}; `{to_text(assertion.condition)}` is false)"
         raise SimulationProblem(Diagnostic("simulate.assertion", message, assertion.span, names))
+
+    def text(self, message: Expr) -> str:
+        """A text of the model's own with the present values."""
+        return message_text(message, self._evaluator)
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:
@@ -103,16 +107,3 @@ class Recorder:
     @property
     def data(self) -> Vector:
         return np.array(self._rows).reshape(len(self._rows), len(self.leaves))
-
-
-def message_text(message: Expr) -> str:
-    """The assertion's text, as far as it can be put together without a run."""
-
-    def lookup(name: str) -> Constant | None:
-        del name
-        return None
-
-    try:
-        return str(evaluate(message, lookup))
-    except (NotConstant, EvaluationFailed):
-        return to_text(message)

@@ -15,7 +15,7 @@ from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators
 from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
-from acausal.simulate.record import Ending, Recorder, message_text
+from acausal.simulate.record import Ending, Recorder
 from acausal.simulate.reselect import Reselection
 from acausal.simulate.schedule import Schedule, is_reached
 from acausal.simulate.settle import Settling
@@ -280,7 +280,9 @@ class _Loop:
             self.recorder.violated(part.checks[i].assertion, self._time)
         for i in np.flatnonzero(fired[len(part.checks) :]):
             termination = part.stops[i].termination
-            self.ended = self.ended or Ending(self._time, message_text(termination.message), termination.span)
+            self.ended = self.ended or Ending(
+                self._time, self.recorder.text(termination.message), termination.span
+            )
 
     def _restart(self) -> None:
         """Starts the solver at the present point, with other states where these have become unfit."""
