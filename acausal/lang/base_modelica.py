@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from acausal.lang.base_modelica_kernels import kernel_lines
 from acausal.lang.base_modelica_when import assertion_text, when_lines, with_initial
 from acausal.lang.flat import (
     REAL,
@@ -40,6 +41,7 @@ def print_flat(flat: FlatModel) -> str:
     name = quoted_name(flat.name)
     lines = [HEADER, f"package {name}"]
     lines += [f"  {_enumeration(type_)};" for type_ in _enumerations(flat)]
+    lines += [f"  {line}" for line in kernel_lines(_expressions(flat))]
     lines.append(f"  model {name}{_comment(flat.description)}")
     lines += [f"    {_declaration(variable)};" for variable in flat.variables]
     clauses = [when_lines(when) for when in flat.whens]

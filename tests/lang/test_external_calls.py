@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import pytest
 
 from acausal.errors import AcausalError, Source
+from acausal.lang.base_modelica import print_flat
 from acausal.lang.flat import FlatModel
 from acausal.lang.library import Library
 from acausal.lang.parser import parse
@@ -55,11 +56,11 @@ end P;
 """
 
 
-def flat_of(text: str) -> FlatModel:
+def flat_of(text: str, name: str = "P.Test") -> FlatModel:
     library = Library()
     for _, definition in parse(Source("test.mo", text)).classes:
         library.add(definition)
-    flat = compile_model(library, "P.Test", stop_after="flat").flat
+    flat = compile_model(library, name, stop_after="flat").flat
     assert flat is not None
     return flat
 
@@ -121,6 +122,18 @@ def test_periodic_constant_segments() -> None:
     assert at(flat, "y", now=6.0, next=8.0) == 4.0
     assert at(flat, "e", now=5.5) == pytest.approx(6.0)
     assert at(timed(start=1.7, outside=3), "e", now=0.0) == 1.7
+
+
+@pytest.mark.parametrize(("smoothness", "outside"), [(1, 2), (3, 3), (1, 1)])
+def test_tables_go_into_base_modelica_and_back(smoothness: int, outside: int) -> None:
+    flat = timed(smoothness=smoothness, outside=outside)
+    text = print_flat(flat)
+    again = flat_of(text, "'P.Test'.'P.Test'")
+    for now in (-0.5, 0.5, 1.0, 1.7, 3.9, 4.0, 9.3):
+        for name in ("y", "e"):
+            values = {"now": now, "next": 20.0}
+            read = evaluate(right_sides(again)[name], values.get)
+            assert read == pytest.approx(at(flat, name, now=now, next=20.0))
 
 
 LOOP = """
