@@ -141,6 +141,15 @@ def _items(values: Sequence[Value]) -> tuple[ex.Expr, ...]:
 # --------------------------------------------------------------------------- reductions
 
 
+def array_call(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
+    """`array(a, b, c)`, which is `{a, b, c}`."""
+    if node.named or not node.arguments:
+        message = "`array` takes the elements of an array"
+        raise type_error("call.arguments", message, node.span, "", ("array",))
+    values = [translation.value(item, env) for item in node.arguments]
+    return _stacked(values, (len(values),), node)
+
+
 def reduction(translation: Translation, node: ast.Call, name: str, env: Env) -> AnyValue:
     """`sum(e for i in r)`, also `product`, `min`, `max` and `array`."""
     if name == "array":

@@ -181,6 +181,11 @@ def _declared(scope: Scope, clause: ast.ComponentClause, declaration: ast.Declar
     return ComponentEntry(declaration.name, clause, declaration, scope, own, protected, (), below)
 
 
+def _redeclares(element: ast.ClassDefinition) -> bool:
+    """`redeclare ...`, and `model extends M`, which does so without saying."""
+    return element.prefixes.redeclare or (isinstance(element, ast.LongClass) and element.extends)
+
+
 def own_redeclarations(scope: Scope) -> Modifier:
     """`redeclare` classes of the class body, as a modifier on what it inherits."""
     definition = scope.definition
@@ -189,7 +194,7 @@ def own_redeclarations(scope: Scope) -> Modifier:
     context = Context(scope, None)
     children: dict[str, Modifier] = {}
     for element in definition.body.elements:
-        if isinstance(element, ast.ClassDefinition) and element.prefixes.redeclare:
+        if isinstance(element, ast.ClassDefinition) and _redeclares(element):
             replaceable = element.prefixes.replaceable
             redeclaration = redeclaration_of(element, context, element.span, replaceable)
             children[element.name] = Modifier(redeclaration=redeclaration)
@@ -316,7 +321,7 @@ def _add_class(scope: Scope, table: Table, element: ast.ClassDefinition) -> None
         raise duplicate(element.name, scope, element.span, component.declaration.span)
     if (old is not None and old.scope is scope) or node is None or node.definition is not element:
         raise duplicate(element.name, scope, element.span, old.node.definition.span if old else None)
-    if element.prefixes.redeclare:
+    if _redeclares(element):
         return  # see _redeclare_classes
     if old is not None and not same_class(element, old.node.definition):
         raise inherited_class(element.name, element.span, old.node.definition.span)
@@ -326,7 +331,7 @@ def _add_class(scope: Scope, table: Table, element: ast.ClassDefinition) -> None
 def _redeclare_classes(scope: Scope, table: Table, definition: ast.LongClass) -> None:
     """Put the inherited classes, which carry their redeclaration, in place of the `redeclare` elements."""
     for element in definition.body.elements:
-        if not isinstance(element, ast.ClassDefinition) or not element.prefixes.redeclare:
+        if not isinstance(element, ast.ClassDefinition) or not _redeclares(element):
             continue
         found = [base.scope.find_class_entry(element.name) for base in table.bases]
         entry = next((entry for entry in found if entry is not None), None)

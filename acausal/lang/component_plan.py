@@ -51,7 +51,7 @@ def array_of(
 
     fill("", modifier, 0)
     scalar = None if simple is None else simple.scalar
-    return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span)
+    return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span, plan.type)
 
 
 def check_targets(scope: Scope, modifier: Modifier) -> None:

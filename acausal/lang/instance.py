@@ -66,6 +66,8 @@ class Array:
     type: ScalarType | None
     """Of an array of scalars, also of an empty one."""
     span: Span
+    element: Scope | None = None
+    """The class of the elements; it says what an empty array holds."""
 
 
 @light_object

@@ -56,6 +56,8 @@ class Selection:
     shape: tuple[int, ...]
     type: ScalarType | None
     constant: bool = False
+    element: Scope | None = None
+    """The class of the members, for an empty array."""
 
 
 @light_object
@@ -191,9 +193,28 @@ def select(
 
 def select_part_of(translation: Translation, selection: Selection, part: ast.NamePart, env: Env) -> Selection:
     """One step further: a part of every member, with its subscripts."""
+    if not selection.members and selection.element is not None:
+        return _part_of_nothing(translation, selection, selection.element, part)
     members = tuple([_part_of(translation, current, part, env) for current in selection.members])
     inner = Selection(members, selection.shape, None, selection.constant)
     return _subscript_members(translation, inner, part, env)
+
+
+def _part_of_nothing(
+    translation: Translation, selection: Selection, element: Scope, part: ast.NamePart
+) -> Selection:
+    """A part of an empty array of components: an empty array of the part's type."""
+    entry = element.table.components.get(part.name)
+    if entry is None:
+        raise no_such_element(part, element)
+    scope = entry.scope.find_class(entry.clause.type)
+    simple = translation.instances.simple_type(scope)
+    written = (entry.declaration.dimensions, entry.clause.dimensions)
+    inner = sum(len(d.items) for d in written if d is not None)
+    singled = 0 if part.subscripts is None else len(part.subscripts.items)
+    shape = selection.shape + (0,) * max(0, inner - singled)
+    type_ = None if simple is None else simple.scalar
+    return Selection((), shape, type_, selection.constant, scope)
 
 
 def _part_of(translation: Translation, current: Member, part: ast.NamePart, env: Env) -> Member:
@@ -223,6 +244,7 @@ def _subscript_members(
     members: list[Member] = []
     inner: tuple[int, ...] | None = None
     type_: ScalarType | None = None
+    element: Scope | None = None
     for member in selection.members:
         if isinstance(member, Absent):
             return Selection((member,), (), None, selection.constant)
@@ -234,10 +256,10 @@ def _subscript_members(
         if inner is not None and sizes != inner:
             message = f"`{member.path}` has another size than its neighbours: this is no array"
             raise type_error("type.array-size", message, part.span, "", (member.path,))
-        inner, type_ = sizes, member.type
+        inner, type_, element = sizes, member.type, member.element
         ranges = [(p,) if isinstance(p, int) else p for p in picks]
         members += [member.items[index_offset(member.shape, index)] for index in product(*ranges)]
-    return Selection(tuple(members), selection.shape + (inner or ()), type_, selection.constant)
+    return Selection(tuple(members), selection.shape + (inner or ()), type_, selection.constant, element)
 
 
 # --------------------------------------------------------------------------- values
@@ -278,7 +300,7 @@ def selection_value(translation: Translation, found: Selection, span: Span) -> A
     plain = [as_value(v, span) for v in values]
     type_ = plain[0].type if plain else found.type
     if type_ is None:
-        return RecordArray(found.shape, ())
+        return RecordArray(found.shape, (), found.element)
     return Value(type_, found.shape, tuple([v.item for v in plain]))
 
 
@@ -286,7 +308,7 @@ def _one(translation: Translation, member: Member, constant: bool, span: Span) -
     if isinstance(member, Leaf):
         return _leaf_value(translation, member, constant, span)
     if isinstance(member, Array):
-        picked = Selection(member.items, member.shape, member.type, constant)
+        picked = Selection(member.items, member.shape, member.type, constant, member.element)
         return selection_value(translation, picked, span)
     if isinstance(member, Absent):
         raise absent(member, span)

@@ -14,7 +14,7 @@ from acausal.lang.arithmetic import (
     type_error,
     unary,
 )
-from acausal.lang.arrays import array_value, matrix_value, range_value, reduction
+from acausal.lang.arrays import array_call, array_value, matrix_value, range_value, reduction
 from acausal.lang.builtin_calls import builtin_value
 from acausal.lang.builtins import BUILTINS, NOT_YET
 from acausal.lang.connection_calls import CONNECTION_CALLS
@@ -156,6 +156,10 @@ class Translator(Budget):
             result = evaluate(condition, self.parameter_value)
         except (NotConstant, EvaluationFailed):
             return None
+        except TypeProblem as problem:
+            if problem.codes != ("parameter.no-value",):
+                raise
+            return None  # a component by itself: its parameters get values where it is used
         self._shaped_by(condition)
         return bool(result)
 
@@ -331,6 +335,8 @@ class Translator(Budget):
         name = node.function.text.removeprefix(".")
         if node.iterators:
             return reduction(self, node, name, env)
+        if name == "array":
+            return array_call(self, node, env)
         if name == "String":
             return string_value(self, node, env)
         special = SPECIAL.get(name) or CONNECTION_CALLS.get(name)
