@@ -10,7 +10,6 @@ from __future__ import annotations
 from acausal.errors import AcausalError, Span, TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
-from acausal.lang.instance import Instance
 from acausal.lang.redeclarations import declared_constraints
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes
@@ -62,19 +61,9 @@ def check_component_declaration(entry: ComponentEntry, type_: Scope, types: Simp
         check_component_redeclaration(entry.name, type_, own, entry.declaration.span, types)
 
 
-def check_inner(path: str, inner: Instance, outer: Scope, span: Span, types: SimpleTypes) -> None:
-    """The class of an `inner` component against that of an `outer` one (5.4). Raises `inner.incompatible`."""
-    why = _difference(inner.scope, outer, types, 0)
-    if why:
-        raise fail(
-            TypeProblem,
-            "inner.incompatible",
-            f"`{path}` is an `outer` `{outer.path}`, but the `inner` component is a "
-            f"`{inner.scope.path}`: {why}",
-            span,
-            names=[path, inner.path],
-            hint="the `inner` component must have all that the class of the `outer` one has",
-        )
+def class_difference(new: Scope, old: Scope, types: SimpleTypes) -> str:
+    """Why a component of the class `new` cannot stand for one of `old`; empty if it can."""
+    return _difference(new, old, types, 0)
 
 
 def _incompatible(what: str, new: Scope, constraint: Scope, span: Span, why: str) -> AcausalError:

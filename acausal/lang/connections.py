@@ -131,13 +131,12 @@ def _connect_leaves(
         kind = "stream" if Connection.STREAM in (a.prefixes.connection, b.prefixes.connection) else "flow"
         raise mismatch(a, b, span, f"one is a {kind} variable, the other is not")
     parameters = [x for x in (a, b) if x.prefixes.variability <= Variability.PARAMETER]
+    if a.prefixes.variability is not b.prefixes.variability and parameters:
+        kinds = " and ".join([x.prefixes.variability.name.lower() for x in (a, b)])
+        raise mismatch(a, b, span, f"their variabilities are {kinds}")
     if len(parameters) == 2:
-        if a.prefixes.variability is not b.prefixes.variability:
-            raise mismatch(a, b, span, "one is a parameter, the other a constant")
         sets.constants.append((a, b, span))
         return
-    if parameters:
-        raise mismatch(a, b, span, f"`{parameters[0].path}` is a parameter, the other a variable")
     sets.leaf[a.path], sets.leaf[b.path] = a, b
     sets.join((a.path, a_inside), (b.path, b_inside), span, component)
 

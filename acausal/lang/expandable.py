@@ -49,11 +49,26 @@ def expand(translation: Translation, root: Instance, links: Sequence[Link]) -> E
     result = Expansion()
     for instance in components(root):
         if instance.is_expandable:
+            check_no_flow(instance)
             work.prune(instance)
             result.inside |= dict.fromkeys([member.path for member in _below(instance)])
     infer_causality(translation, root, connections, result.inside)
     result.added_flows = [leaf for leaf in work.added if leaf.prefixes.connection is Connection.FLOW]
     return result
+
+
+def check_no_flow(bus: Instance) -> None:
+    """Flow variables stand in connectors inside an expandable one, not in itself."""
+    for entry in bus.scope.table.components.values():
+        if entry.clause.flow:
+            raise type_error(
+                "expandable.flow",
+                f"the expandable connector `{bus.path}` cannot have the {entry.clause.flow} variable "
+                f"`{entry.name}`",
+                entry.declaration.span,
+                "put it into a connector inside the expandable connector",
+                (f"{bus.path}.{entry.name}",),
+            )
 
 
 def _below(bus: Instance) -> list[Member]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from acausal.lang import ast
+from acausal.lang.arithmetic import type_error
 from acausal.lang.connecting import add_connection
 from acausal.lang.connections import ConnectionSets, Node
 from acausal.lang.expandable_copies import is_signal, with_causality_of
@@ -27,6 +28,8 @@ def infer_causality(
     unknown = {leaf.path: leaf for bus in buses for leaf in _signals(bus) if is_signal(leaf)}
     work = _Inference(sets, dict.fromkeys(unknown))
     work.run()
+    own = dict.fromkeys([leaf.path for bus in buses if bus.parent is root for leaf in _signals(bus)])
+    work.check_fed(own)
     for bus in buses:
         for name, member in list(bus.members.items()):
             if isinstance(member, (Leaf, Array)):
@@ -89,3 +92,38 @@ class _Inference:
             self.found[open_[0]] = Causality.INPUT
             return True
         return False
+
+    def check_fed(self, own: dict[str, None]) -> None:
+        """What some expandable connectors need, another one that is connected with them must give.
+
+        `own` are the variables of the model's own connectors, which its surroundings may feed.
+        """
+        parent: dict[str, str] = {path: path for path in self.unknown}
+
+        def find(path: str) -> str:
+            while parent[path] != path:
+                parent[path] = parent[parent[path]]
+                path = parent[path]
+            return path
+
+        groups: dict[Node, list[str]] = {}
+        for node in self.sets.place:
+            if node[0] in parent:
+                groups.setdefault(self.sets.find(node), []).append(node[0])
+        for first, *rest in groups.values():
+            for path in rest:
+                parent[find(path)] = find(first)
+        members: dict[str, list[str]] = {}
+        for path in self.unknown:
+            members.setdefault(find(path), []).append(path)
+        for paths in members.values():
+            needs = [path for path in paths if self.found.get(path) is Causality.INPUT]
+            if len(needs) == len(paths) and not any(path in own for path in paths):
+                leaf = self.sets.leaf[needs[0]]
+                raise type_error(
+                    "expandable.not-fed",
+                    f"`{needs[0]}` is used, but no expandable connector connected with it gives it a value",
+                    leaf.span,
+                    "connect a source to a variable of this name on the bus",
+                    (needs[0],),
+                )

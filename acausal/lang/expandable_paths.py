@@ -85,9 +85,8 @@ def _missing(
     """Elements of that name, those not yet there among them; None if all are there."""
     found = [bus.members.get(part.name) for bus in buses]
     if part.subscripts is None:
-        if all(member is not None for member in found):
-            return None
-        return [_present(bus, part.name, ()) for bus in buses], ()
+        whole = [_present(bus, part.name, ()) for bus in buses]
+        return (whole, ()) if any(isinstance(member, Missing) for member in whole) else None
     if any(isinstance(item, ast.Colon) for item in part.subscripts.items) and None not in found:
         return None
     axes = [_indices(translation, item, env) for item in part.subscripts.items]
@@ -107,7 +106,8 @@ def _present(bus: Instance, name: str, index: tuple[int, ...]) -> Member | Missi
     if member is None or isinstance(member, Outer):
         return missing
     if not index:
-        return member
+        empty = isinstance(member, Array) and not member.items
+        return missing if empty and is_growing(bus, name) else member
     if not isinstance(member, Array) or len(index) != len(member.shape):
         return member  # refused when the subscripts are applied
     if any(not 1 <= i <= size for i, size in zip(index, member.shape, strict=True)):

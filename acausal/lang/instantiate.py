@@ -11,12 +11,10 @@ from dataclasses import replace
 from acausal.errors import TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.array_sizes import array_shape
-from acausal.lang.automatic_inner import AutomaticInners, no_outer_around
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.compatibility import (
     check_component_declaration,
     check_component_redeclaration,
-    check_inner,
 )
 from acausal.lang.component_plan import Plan, array_of, check_targets, description_of, spread_record
 from acausal.lang.component_prefixes import (
@@ -26,13 +24,13 @@ from acausal.lang.component_prefixes import (
     with_causality,
 )
 from acausal.lang.flat import Causality
+from acausal.lang.inner_components import Inners, check_unmodified, no_outer_around
 from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, Outer, Prefixes
 from acausal.lang.instance_errors import (
     check_instantiable,
     cyclic_structure,
     modifies_protected,
     not_a_component,
-    outer_modified,
     too_deep,
     too_large,
 )
@@ -52,6 +50,7 @@ from acausal.lang.redeclarations import check_not_constant, constraints_of, rede
 from acausal.lang.restrictions_functions import check_used
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
+from acausal.lang.stream_flows import check_stream
 from acausal.lang.translation import Translation
 
 MAX_DEPTH = 100
@@ -73,7 +72,7 @@ class Instantiator:
         self._prefixes: dict[tuple[ComponentEntry, Prefixes], Prefixes] = {}
         self._attributes: dict[tuple[SimpleType, tuple[Modifier, ...]], dict[str, Binding]] = {}
         self._count = 0
-        self._automatic = AutomaticInners(self, translation.warnings)
+        self._inners = Inners(self, translation, self._types)
         self.has_expandable = False
         """Whether any component is an expandable connector."""
         self.has_streams = False
@@ -119,7 +118,7 @@ class Instantiator:
             elif isinstance(member, Outer) and member.own is not None:
                 stack.append((member.own, depth))
             if not stack:
-                stack = [(m, 1) for m in self._automatic.added_to(root)]
+                stack = [(m, 1) for m in self._inners.added_to(root)]
         return root
 
     # ------------------------------------------------------------------ types
@@ -171,12 +170,12 @@ class Instantiator:
         if declaration.condition is not None and not self._is_there(declaration.condition, context, path):
             return Absent(path, declaration.span)
         if clause.prefixes.outer:
-            if not clause.prefixes.inner and not entry.own.is_empty:
-                raise outer_modified(path, entry.own.span)
+            if not clause.prefixes.inner:
+                check_unmodified(entry, instance, path)
             if clause.prefixes.inner and instance.parent is None:
                 self._translation.warnings.append(no_outer_around(entry.name, declaration.span))
                 return self._declared(entry, instance, path)
-            target = self._inner_of(entry, instance, path)
+            target = self._inners.find(entry, instance, path)
             own = self._declared(entry, instance, path) if clause.prefixes.inner else None
             return Outer(path, target, declaration.span, own)
         return self._declared(entry, instance, path)
@@ -203,32 +202,6 @@ class Instantiator:
             message = f"the condition of `{path}` must be Boolean, but it is {value}"
             raise fail(TypeProblem, "type.not-boolean", message, condition.span, names=[path])
         return value
-
-    def _inner_of(self, entry: ComponentEntry, instance: Instance, path: str) -> Member:
-        """The `inner` component of this name in the nearest component around that has one (5.4).
-
-        Where there is none, one is added at the top of the model.
-        """
-        around = instance.parent
-        while around is not None:
-            candidate = around.scope.table.components.get(entry.name)
-            if candidate is not None and candidate.clause.prefixes.inner:
-                target = self.member(around, entry.name)
-                found = around.members.get(entry.name)
-                own = found.own if isinstance(found, Outer) else target
-                assert own is not None
-                if not isinstance(own, Absent):
-                    self._check_inner(entry, own, path)
-                return own
-            if around.parent is None:
-                return self._automatic.inner(entry, around, path)
-            around = around.parent
-        return self._automatic.inner(entry, instance, path)
-
-    def _check_inner(self, entry: ComponentEntry, target: Member, path: str) -> None:
-        """The type of an `inner` component must fit that of the `outer` one."""
-        if isinstance(target, Instance) and target.scope is not self._type_of(entry):
-            check_inner(path, target, self._type_of(entry), entry.declaration.span, self._types)
 
     def automatic(self, entry: ComponentEntry, root: Instance) -> Member:
         """An `inner` component that nobody declares, built from the declaration of an `outer` one."""
@@ -356,7 +329,9 @@ class Instantiator:
             prefixes = with_causality(prefixes, simple.causality)
         if modifier.final and not prefixes.final:
             prefixes = replace(prefixes, final=True)
-        self.has_streams = self.has_streams or prefixes.connection is Connection.STREAM
+        if prefixes.connection is Connection.STREAM:
+            self.has_streams = True
+            check_stream(path, simple.scalar, plan)
         return Leaf(
             path,
             simple.scalar,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from acausal.errors import AcausalError, LookupProblem, Span, fail
+from acausal.errors import AcausalError, LookupProblem, Span, UnsupportedProblem, fail
 from acausal.lang import ast
 from acausal.lang.predefined import SIMPLE_TYPES
 
@@ -122,6 +122,18 @@ def class_extends(definition: ast.LongClass) -> AcausalError:
         definition.span,
         names=[definition.name],
         hint=f"write `redeclare {definition.kind} extends {definition.name}` in a class that inherits it",
+    )
+
+
+def outer_class(name: str, span: Span) -> AcausalError:
+    """The refusal of an `outer` class, which depends on where in the model it is used (5.4)."""
+    return fail(
+        UnsupportedProblem,
+        "unsupported.outer-class",
+        f"the class `{name}` is `outer`, which is supported for components only",
+        span,
+        names=[name],
+        hint="make the class replaceable and redeclare it",
     )
 
 

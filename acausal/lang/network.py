@@ -86,7 +86,7 @@ class Network:
             message = "`cardinality` needs a connector"
             raise type_error("call.arguments", message, argument.span, "", ("cardinality",))
         members = connector_side(self._translation, argument, env).members
-        if isinstance(members[0], Leaf) and not members[0].connector:
+        if members and isinstance(members[0], Leaf) and not members[0].connector:
             raise not_a_connector(members[0], argument.span)
         if self._counts is None:
             self._counts = self._count(argument.span)

@@ -228,9 +228,9 @@ def _residue_size(scope: Scope) -> int | None:
 def _check_directions(block: Instance) -> None:
     """Every variable of a block's public connectors is an input or an output (4.6)."""
     for name, member in block.members.items():
-        entry = block.scope.table.components[name]
+        entry = block.scope.table.components.get(name)
         first = _element_of(member)
-        if entry.protected or not isinstance(first, Instance) or isinstance(member, Outer):
+        if entry is None or entry.protected or not isinstance(first, Instance) or isinstance(member, Outer):
             continue
         if not first.is_connector or first.scope.definition.class_prefixes.expandable:
             continue

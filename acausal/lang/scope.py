@@ -20,6 +20,7 @@ from acausal.lang.lookup_errors import (
     ambiguous_import,
     component_as_class,
     cyclic_extends,
+    outer_class,
     unknown_import,
     unknown_name,
     unknown_nested,
@@ -162,6 +163,8 @@ class Scope:
     def nested(self, entry: ClassEntry) -> Scope:
         """The scope of a nested class of this scope's table."""
         if entry.built is None:
+            if entry.node.definition.prefixes.outer:
+                raise outer_class(entry.name, entry.node.definition.span)
             if entry.modifier is NO_MODIFIER:
                 entry.built = entry.scope.plain_nested(entry)
             else:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from acausal.lang.arithmetic import type_error
+from acausal.lang.component_plan import Plan
+from acausal.lang.flat import REAL, ScalarType
 from acausal.lang.instance import Array, Connection, Instance, Leaf, Member, Outer
 from acausal.lang.links import components
 
@@ -47,3 +49,14 @@ def _the_flow(connector: Instance, own: list[Leaf]) -> Leaf:
             (connector.path,),
         )
     return flows[0]
+
+
+def check_stream(path: str, type_: ScalarType, plan: Plan) -> None:
+    """Stream variables are Reals in connectors (4.4.2.2, 15.1). Raises `stream.type`, `stream.place`."""
+    if type_ != REAL:
+        message = f"the stream variable `{path}` must be a Real, not {type_}"
+        raise type_error("stream.type", message, plan.declaration.span, "", (path,))
+    around = plan.context.instance
+    if around is None or around.scope.kind not in ("connector", "record"):
+        message = f"the stream variable `{path}` stands outside a connector"
+        raise type_error("stream.place", message, plan.declaration.span, "", (path,))

@@ -1,4 +1,4 @@
-"""Missing `inner` components, which are added at the top of the model (Modelica 3.6, 5.4)."""
+"""`inner` components for `outer` ones: found around, or added at the top of the model (Modelica 3.6, 5.4)."""
 
 from __future__ import annotations
 
@@ -8,25 +8,63 @@ from typing import Protocol
 from acausal.errors import AcausalError, Diagnostic, Span, TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.class_table import ComponentEntry
-from acausal.lang.instance import Instance, Member
+from acausal.lang.compatibility import class_difference
+from acausal.lang.instance import Instance, Member, Outer
+from acausal.lang.instance_errors import outer_modified
+from acausal.lang.modifiers import NO_MODIFIER
 from acausal.lang.scope import Scope
+from acausal.lang.simple_types import SimpleTypes
+from acausal.lang.translation import Translation
 
 
 class _Builder(Protocol):
+    def member(self, instance: Instance, name: str) -> Member | None:
+        """The member `name` of a component."""
+        ...
+
     def automatic(self, entry: ComponentEntry, root: Instance) -> Member:
         """An `inner` component built from the declaration of an `outer` one."""
         ...
 
 
-class AutomaticInners:
-    """The components added so far, by name. Every one of them comes with a warning."""
+class Inners:
+    """Finds `inner` components; every one that it adds comes with a warning."""
 
-    def __init__(self, builder: _Builder, warnings: list[Diagnostic]) -> None:
+    def __init__(self, builder: _Builder, translation: Translation, types: SimpleTypes) -> None:
         self._builder = builder
-        self._warnings = warnings
+        self._translation = translation
+        self._simple = types
         self._members: dict[str, Member] = {}
         self._types: dict[str, Scope] = {}
         self._added: dict[str, None] = {}
+
+    def find(self, entry: ComponentEntry, instance: Instance, path: str) -> Member:
+        """The `inner` component of this name in the nearest component around that has one.
+
+        Where there is none, one is added. Raises `inner.*`.
+        """
+        around = instance.parent
+        while around is not None:
+            candidate = around.scope.table.components.get(entry.name)
+            if candidate is not None and candidate.clause.prefixes.inner:
+                return self._found(entry, around, path)
+            if around.parent is None:
+                return self.inner(entry, around, path)
+            around = around.parent
+        return self.inner(entry, instance, path)
+
+    def _found(self, entry: ComponentEntry, around: Instance, path: str) -> Member:
+        target = self._builder.member(around, entry.name)
+        found = around.members.get(entry.name)
+        own = found.own if isinstance(found, Outer) else target
+        assert own is not None  # an `inner` component stands there
+        scope = entry.scope.find_class(entry.clause.type)
+        why = ""
+        if isinstance(own, Instance) and own.scope is not scope:
+            why = class_difference(own.scope, scope, self._simple)
+        if why:
+            raise _incompatible(entry, own, path, scope, why)
+        return own
 
     def inner(self, entry: ComponentEntry, root: Instance, path: str) -> Member:
         """The component for an `outer` declaration. Raises `inner.missing`, `inner.ambiguous`."""
@@ -41,7 +79,7 @@ class AutomaticInners:
         if scope.definition.class_prefixes.partial or taken:
             raise _missing(entry, path, scope)
         self._types[entry.name] = scope
-        self._warnings.append(_added(entry, path, scope))
+        self._translation.warnings.append(_added(entry, path, scope))
         made = self._builder.automatic(entry, root)
         self._members[entry.name] = made
         return made
@@ -53,6 +91,25 @@ class AutomaticInners:
                 self._added[name] = None
                 root.members[name] = member
                 yield member
+
+
+def check_unmodified(entry: ComponentEntry, instance: Instance, path: str) -> None:
+    """An `outer` component takes no modifications. Raises `inner.outer-modified`."""
+    modifier = instance.modifier.children.get(entry.name, NO_MODIFIER)
+    for found in (entry.own, modifier, *entry.through):
+        if not found.is_empty:
+            raise outer_modified(path, found.span or entry.declaration.span)
+
+
+def _incompatible(entry: ComponentEntry, own: Member, path: str, scope: Scope, why: str) -> AcausalError:
+    return fail(
+        TypeProblem,
+        "inner.incompatible",
+        f"`{path}` is an `outer` `{scope.path}`, for which the `inner` `{own.path}` cannot stand: {why}",
+        entry.declaration.span,
+        names=[path, own.path],
+        hint="the `inner` component must have all that the class of the `outer` one has",
+    )
 
 
 def _missing(entry: ComponentEntry, path: str, scope: Scope) -> AcausalError:
