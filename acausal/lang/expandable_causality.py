@@ -28,12 +28,20 @@ def infer_causality(
     unknown = {leaf.path: leaf for bus in buses for leaf in _signals(bus) if is_signal(leaf)}
     work = _Inference(sets, dict.fromkeys(unknown))
     work.run()
-    own = dict.fromkeys([leaf.path for bus in buses if bus.parent is root for leaf in _signals(bus)])
+    own = dict.fromkeys([leaf.path for bus in buses if _is_own(bus, root) for leaf in _signals(bus)])
     work.check_fed(own)
     for bus in buses:
         for name, member in list(bus.members.items()):
             if isinstance(member, (Leaf, Array)):
                 bus.members[name] = _changed(member, work.found)
+
+
+def _is_own(bus: Instance, root: Instance) -> bool:
+    """Whether a connector is the model's own, or stands inside one."""
+    around = bus.parent
+    while around is not None and around is not root and around.is_connector:
+        around = around.parent
+    return around is root
 
 
 def _signals(bus: Instance) -> list[Leaf]:
