@@ -20,6 +20,7 @@ from acausal.codegen.functions import Code, state_leaves
 from acausal.errors import SimulationProblem
 from acausal.simulate.block_solvers import Walk
 from acausal.simulate.call import call
+from acausal.simulate.history import History, Sample
 from acausal.simulate.inputs import Inputs
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name
@@ -102,6 +103,9 @@ class Evaluator:
         self.update = Buffered(code.discrete.update, given, before)
         self.memory = Buffered(code.discrete.memory, given, before)
         self.actions = Buffered(code.discrete.actions, given, before)
+        self.history = History(code.system) if code.system.delays else None
+        """The past of delayed expressions."""
+        self.delayed = Buffered(code.discrete.delayed, given, before)
         self.roots = self.event.outputs[0]
         self.sizes = self.size.outputs[0]
         self.jacobian = self.jac.outputs[0]
@@ -115,19 +119,37 @@ class Evaluator:
 
     @property
     def is_moving(self) -> bool:
-        """Whether an input changes with time."""
-        return self._moving
+        """Whether an input or a delayed value changes with time."""
+        return self._moving or self.history is not None
 
     def refill(self, time: float) -> None:
-        """Writes the inputs' values at `time`."""
-        self.inputs.fill(time, self.u)
+        """Writes the inputs' and delayed values at `time`."""
+        if self._moving:
+            self.inputs.fill(time, self.u)
+        if self.history is not None:
+            self.history.fill(time, self.u[len(self.inputs.constants) :])
 
     def at(self, time: float, x: Vector) -> None:
         """Sets the point at which the Functions evaluate."""
         self.t[0] = time
         self.x[:] = x
-        if self._moving:
-            self.inputs.fill(time, self.u)
+        if self._moving or self.history is not None:
+            self.refill(time)
+
+    def keep_past(self, ahead: float) -> None:
+        """Notes the delayed expressions at the present point, with their slopes over the time `ahead`."""
+        if self.history is None:
+            return
+        time, x = float(self.t[0]), self.x.copy()
+        self.delayed()
+        values, lags, longest = [array.copy() for array in self.delayed.outputs]
+        self.solve()
+        self.at(time + ahead, x + ahead * self.xdot)
+        self.delayed()
+        later = self.delayed.outputs
+        slopes = (later[0] - values) / ahead, (later[1] - lags) / ahead
+        self.history.add(Sample(time, values, lags, longest, *slopes))
+        self.at(time, x)
 
     def hold(self, ahead: float) -> None:
         """Sets `shift`, so that a crossing that was just handled is not found again, and rest makes no event.

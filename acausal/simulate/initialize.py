@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from acausal.codegen.functions import Code, state_leaves
-from acausal.errors import Diagnostic, InitializationProblem
+from acausal.errors import Diagnostic, InitializationProblem, fail
 from acausal.simulate import homotopy
 from acausal.simulate.block_solvers import Walk
 from acausal.simulate.call import call
@@ -24,7 +24,9 @@ from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.causal import Block
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.expr import Expr, sym
+from acausal.symbolic.expressions.text import to_text
 
+_DELAY_PASSES = 50
 _ROUNDING = 1e-12
 """A root this small beside its sides does not change its mode while the initial modes are searched."""
 
@@ -76,6 +78,7 @@ def initialize(
             given[i], override[i] = known[sym(name)], 1.0
     evaluator = Evaluator(code, parameter_values(code, given, override), bound)
     evaluator.m[:], evaluator.d[:] = switched.m, switched.d
+    evaluator.u[len(bound.constants) :] = problem.delayed
     evaluator.guess[:] = [known.get(leaf, 0.0) for leaf in code.dynamic.guesses]
     check_redundant(code, walked.values)
     x = np.array([known[leaf] for leaf in state_leaves(code.system)])
@@ -174,8 +177,30 @@ class _Problem:
 
     def solve(self, switched: Switched) -> Walked:
         """All values with these modes and frozen values."""
-        inputs = [np.array([self.time]), self._p, switched.m, self._u, switched.d, self.starts]
-        return walk(self.code.initial, np.concatenate(inputs), self._how)
+        delays = len(self.code.system.delays)
+        for _ in range(_DELAY_PASSES if delays else 1):
+            inputs = [np.array([self.time]), self._p, switched.m, self._u, switched.d, self.starts]
+            walked = walk(self.code.initial, np.concatenate(inputs), self._how)
+            if not delays:
+                return walked
+            point = self._point(switched, walked.values)
+            present = call(self.code.discrete.delayed, *point)[0].ravel()
+            before = self._u[-delays:].copy()
+            self._u[-delays:] = present
+            if np.allclose(before, present, rtol=1e-12, atol=0.0):
+                return walked
+        raise self._no_delayed()
+
+    @property
+    def delayed(self) -> Vector:
+        """The delayed values at the start."""
+        return self._u[len(self.inputs.constants) :]
+
+    def _no_delayed(self) -> InitializationProblem:
+        texts = [to_text(node) for node in self.code.system.delays]
+        message = f"the initial values of {some(texts)} do not settle: each depends on itself"
+        hint = "a loop through delays has no solution at the start, where a delayed value is the present one"
+        return fail(InitializationProblem, "initialize.delay", message, hint=hint)
 
     def modes(self, switched: Switched, values: Vector) -> Vector:
         """The relations' values at the solution."""

@@ -111,6 +111,7 @@ class _Loop:
         before = self._switched()
         evaluator.at(time, x)
         evaluator.settle()
+        self._keep_past()
         if "initial" in settling.phases:  # what holds during initialisation only is no part of the course
             settling.remember()
             evaluator.d[settling.phases["initial"]] = 0.0
@@ -138,7 +139,7 @@ class _Loop:
         if is_reached(self._time, self._next):
             self._event(None)
             return 0
-        found = solver.sweep(targets, min(self.options.stop_time, self._next))
+        found = solver.sweep(targets, min(self.options.stop_time, self._next, self._piece()))
         self.recorder.extend(found.times, found.rows)
         if found.is_suspect:
             self.recorder.look_again(found.time, found.x)
@@ -149,7 +150,21 @@ class _Loop:
             self._time, self._x = found.time, found.x
             if is_reached(self._time, self._next):
                 self._event(None)
+            else:
+                self._keep_past()
         return len(found.times)
+
+    def _piece(self) -> float:
+        """Until when to integrate in one go: delayed values must be known."""
+        history = self.evaluator.history
+        if history is None:
+            return math.inf
+        return self._time + min(self.options.interval, max(history.shortest, 1e-3 * self.options.interval))
+
+    def _keep_past(self) -> None:
+        if self.evaluator.history is not None:
+            self.evaluator.at(self._time, self._x)
+            self.evaluator.keep_past(self._ahead)
 
     def _reach(self, target: float) -> None:
         """Advances to the grid point `target` through all events before it."""
@@ -158,7 +173,7 @@ class _Loop:
             if is_reached(self._time, self._next):
                 self._event(None)
                 continue
-            limit = min(target, self._next)
+            limit = min(target, self._next, self._piece())
             if self.solver is None:
                 self._time = limit
             else:
@@ -172,6 +187,8 @@ class _Loop:
                 self._event(None)
             elif self.solver is not None and self._operators and not self._modes_hold():
                 self._event(None)
+            else:
+                self._keep_past()
         if self.ended is None and not self.recorder.is_at(target):
             self.recorder.add(target, self._x)
 
@@ -234,6 +251,7 @@ class _Loop:
         own = crossed is None or bool(self._own(crossed).any())
         if own and not self.recorder.is_at(self._time):
             self.recorder.add(self._time, self._x)
+        self._keep_past()
         evaluator.at(self._time, self._x)
         settling.remember()
         due = self._schedule.due(self._time)
@@ -294,6 +312,7 @@ class _Loop:
             self._settling = Settling(self.evaluator, self._ahead)
             self.recorder.go_on_with(self.evaluator)
             self.solver = self.make_solver(self.evaluator)
+        self._keep_past()
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
             self.evaluator.at(self._time, self._x)
