@@ -7,12 +7,12 @@ the same of all others (reason `assumed`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.errors import Diagnostic, InitializationProblem
 from acausal.lang.flat import Equation
-from acausal.symbolic.attributes import start_or_default
+from acausal.symbolic.attributes import same_value, start_or_default
 from acausal.symbolic.causal import Assignment, CausalEquation, DiscretePart, InitialValue
 from acausal.symbolic.describe import equation_with_place
 from acausal.symbolic.discrete import Divided, in_order
@@ -42,8 +42,10 @@ def discrete_start(divided: Divided, part: DiscretePart) -> DiscreteStart:
     for definition in divided.definitions:
         work.add(definition.equation, definition.unknown, definition.value)
     surplus = [e for e in divided.initial if not work.add(e, e.left, e.right)]
-    if surplus:
-        raise _overdetermined(surplus)
+    given = {a.unknown: a.value for a in work.assignments()}
+    wrong = [e for e in surplus if not _is_repeated(e, given, divided)]
+    if wrong:
+        raise _overdetermined(wrong)
     values: list[InitialValue] = []
     for wanted, reason in ((True, "fixed"), (False, "assumed")):
         for node in past:
@@ -54,6 +56,15 @@ def discrete_start(divided: Divided, part: DiscretePart) -> DiscreteStart:
                 values.append(InitialValue(variable.name, start, reason))
     held = [a for a in part.assignments if a.unknown.op == "integer"]
     return DiscreteStart(in_order([*work.assignments(), *held]), tuple(values))
+
+
+def _is_repeated(equation: CausalEquation, given: Mapping[Expr, Expr], divided: Divided) -> bool:
+    """Whether an equation says again what another one says; `pre` of aliases is one and the same value."""
+    for leaf, value in ((equation.left, equation.right), (equation.right, equation.left)):
+        if leaf in given:
+            equal = same_value(given[leaf], value, divided.continuous.values)
+            return equal if equal is not None else leaf.op == "pre"
+    return False
 
 
 class _Start:
