@@ -7,9 +7,9 @@ with the mode that fits, instead of sticking to it.
 
 from __future__ import annotations
 
-import operator
 from collections import deque
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,12 +28,18 @@ ZENO_EVENTS = 100
 ZENO_SHARE = 1e-6
 """This many events within this share of the simulated time are an accumulation."""
 
-_TRUE = {"lt": operator.lt, "le": operator.le, "gt": operator.gt, "ge": operator.ge}
 
-
-def literal_modes(code_relations: tuple[str, ...], roots: Vector) -> Vector:
+def literal_modes(ops: tuple[str, ...], roots: Vector) -> Vector:
     """The relations' values from their roots alone."""
-    return np.array([float(_TRUE[op](g, 0.0)) for op, g in zip(code_relations, roots, strict=True)])
+    sign, at_zero = _truth(ops)
+    return np.where(roots == 0.0, at_zero, sign * roots > 0.0)
+
+
+@lru_cache(maxsize=16)
+def _truth(ops: tuple[str, ...]) -> tuple[Vector, Vector]:
+    """The sign of roots for which relations hold, and whether they do at zero."""
+    sign = np.array([1.0 if op in ("gt", "ge") else -1.0 for op in ops])
+    return sign, np.array([float(op in ("ge", "le")) for op in ops])
 
 
 def operators(system: CausalSystem) -> tuple[str, ...]:
@@ -61,7 +67,7 @@ class Instant:
     """Crossed relations keep the value that the crossing gave them, whatever the derivatives are now."""
 
 
-def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
+def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -> Vector:
     """The values that the relations have now, or a moment later where their root is zero.
 
     Zero, whatever rounding says, are the located roots as long as they have their values, and what rested
@@ -69,7 +75,6 @@ def wanted_modes(evaluator: Evaluator, instant: Instant) -> Vector:
     is not a number.
     """
     time, x, ahead = instant.time, instant.x, instant.ahead
-    ops = operators(evaluator.code.system)
     evaluator.event()
     evaluator.size()
     roots, sizes = evaluator.roots.copy(), evaluator.sizes.copy()

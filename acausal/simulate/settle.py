@@ -170,7 +170,7 @@ class Settling:
         evaluator = self.evaluator
         try:
             evaluator.settle()
-            modes = wanted_modes(evaluator, self._instant)
+            modes = wanted_modes(evaluator, self._ops, self._instant)
         except SimulationProblem as error:
             self._error = self._error or error
             return False
