@@ -3,7 +3,7 @@
 Inner loop. Continuous blocks, modes (see `events` for what happens at a zero root) and discrete equations
 are evaluated in turn until nothing changes; values before the event stay fixed. Where that goes round in
 circles, as it may for friction elements that share a loop, one mode at a time is changed (Murty's least-index
-rule), and then every assignment of the modes that circled is tried, up to `MOST_TRIED`.
+rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of them.
 
 Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
 the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before
@@ -32,6 +32,7 @@ from acausal.symbolic.expressions.expr import Expr, symbols
 
 MAX_ITERATIONS = 50
 _PER_MODE = 4
+_FOLLOWING = 10
 MOST_TRIED = 10
 """Modes whose assignments are all tried."""
 
@@ -57,6 +58,7 @@ class Settling:
             [_is_discrete(leaf.args[0].op, leaf.args[0] in known) for leaf in part.memory], bool
         )
         self._resets = [system.states.index(reset.state) for reset in part.resets]
+        self._disputed = np.zeros(len(self._ops), dtype=np.bool_)
         self._none = np.zeros(len(self._ops), dtype=np.bool_)
         self._instant = Instant(0.0, evaluator.x.copy(), ahead, self._none, np.zeros(len(self._ops)))
         self._error: AcausalError | None = None
@@ -136,6 +138,7 @@ class Settling:
             evaluator.settle()
             return
         self._error = None
+        self._disputed[:] = False
         start = Switched(evaluator.m.copy(), evaluator.d.copy())
         circle: list[Switched] = []
         for one_by_one in (False, True):
@@ -174,6 +177,7 @@ class Settling:
         except SimulationProblem as error:
             self._error = self._error or error
             return False
+        self._disputed |= modes != present.m
         different = np.flatnonzero(modes != present.m)
         if one_by_one and different.size:
             modes = np.where(np.arange(len(modes)) == different[0], modes, present.m)
@@ -194,9 +198,9 @@ class Settling:
         return True
 
     def _try_all(self, circle: list[Switched]) -> bool:
-        """Every assignment of the modes that circled; whether one is consistent, which then holds."""
+        """Every assignment of the modes in doubt; whether one is consistent, which then holds."""
         evaluator = self.evaluator
-        which = np.flatnonzero(moving([switched.m for switched in circle]))
+        which = np.flatnonzero(self._disputed)
         if len(which) > MOST_TRIED or len(circle) == 1:
             return False
         for values in product((0.0, 1.0), repeat=len(which)):
@@ -210,6 +214,12 @@ class Settling:
         """Whether everything agrees once what is not in `which` has followed."""
         evaluator = self.evaluator
         chosen = evaluator.m[which].copy()
+        for _ in range(_FOLLOWING):  # the discrete values of these modes, before the modes are judged
+            before = evaluator.d.copy()
+            if not self._follow():
+                return False
+            if same_values(before, evaluator.d):
+                break
         for _ in range(MAX_ITERATIONS):
             present = Switched(evaluator.m.copy(), evaluator.d.copy())
             if not self._step(present, one_by_one=False) or not np.array_equal(evaluator.m[which], chosen):

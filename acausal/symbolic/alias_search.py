@@ -346,8 +346,8 @@ class AliasSearch:
                 self._occurrences.setdefault(name, []).append(i)
 
     def _past_names(self, i: int) -> Iterable[str]:
-        """Variables of which the equation uses past values."""
-        past = [n for n in postorder((self.left[i], self.right[i])) if n.op in ("pre", "delay")]
+        """Variables of which the equation uses past values, or that only its derivative holds."""
+        past = [n for n in postorder((self.left[i], self.right[i])) if n.op in ("pre", "delay", "derived")]
         return [name for name in symbols(past) if name in self._unknown] if past else ()
 
     def _name_derivatives(self) -> list[int]:
