@@ -10,8 +10,8 @@ The start reaches further, so these are kept with all that they need:
 - initial equations that hold anything that is kept;
 - equations and initial equations that hold a parameter which only the start determines (`fixed = false`), if
   that parameter is kept, or one that depends on it;
-- a variable with `fixed = true` that is no state of its own (its equation does not hold its derivative) and
-  depends on anything that is kept: its start value determines a kept one.
+- a continuous variable with `fixed = true` that is no state of its own (its equation does not hold its
+  derivative) and depends on anything that is kept: its start value determines a kept one.
 
 Clauses with `terminate` end the run and are kept. An assertion is kept if everything in it is; it does not
 keep anything itself. Parameters and inputs are always kept. O(nodes), but for the matching.
@@ -25,7 +25,7 @@ from difflib import get_close_matches
 from typing import TypeVar
 
 from acausal.errors import Diagnostic, UsageProblem
-from acausal.lang.flat import Assertion, Equation, FlatModel, Variable, When
+from acausal.lang.flat import Assertion, Equation, FlatModel, Variability, Variable, When
 from acausal.symbolic.balance import check_balance, determining_equations, structure
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.expr import Expr, symbols
@@ -231,7 +231,11 @@ class _Closure:
         candidates = [
             v.name
             for v in self._flat.variables
-            if v.fixed and v.name in self._unknowns and v.name not in self._own and v.name not in kept
+            if v.fixed
+            and v.variability is Variability.CONTINUOUS
+            and v.name in self._unknowns
+            and v.name not in self._own
+            and v.name not in kept
         ]
         if not candidates:
             return []

@@ -146,3 +146,49 @@ def test_wrong_outputs_are_refused() -> None:
     for wrong in ("y", [], 3, [3]):
         with pytest.raises(UsageProblem, match="list of the names"):
             model.compile(only=wrong)  # type: ignore[arg-type]  # what a caller without types may do
+
+
+EVENTS = """model Events
+  Real x(start = 1, fixed = true), h(start = 1, fixed = true), v(start = 0, fixed = true);
+  discrete Real bounces(start = 0, fixed = true), held(start = 0, fixed = true);
+  Real y(start = 0, fixed = true), z, late;
+equation
+  der(x) = -x;
+  der(h) = v;
+  der(v) = -9.81;
+  when h < 0 then
+    bounces = pre(bounces) + 1;
+    reinit(v, -0.8 * pre(v));
+  end when;
+  when sample(0, 0.1) then
+    held = x;
+  end when;
+  der(y) = bounces;
+  z = held + 1;
+  late = z + 1;
+  {end}
+end Events;"""
+
+
+@pytest.mark.parametrize(
+    ("output", "kept"),
+    [
+        ("x", "x"),
+        ("z", "x held z"),
+        ("h", "h v bounces"),
+        ("y", "h v bounces y"),
+        ("late", "x held z late"),
+    ],
+)
+def test_clauses_stay_with_what_they_change(output: str, kept: str) -> None:
+    model = acausal.loads(EVENTS.format(end=""))
+    part = model.compile(only=[output])
+    assert [v.name for v in part.causal.flat.unknowns] == kept.split()
+    whole = model.compile().simulate()
+    assert part.simulate().final([output])[output] == pytest.approx(whole.final([output])[output], rel=1e-4)
+
+
+def test_what_ends_the_run_stays() -> None:
+    text = EVENTS.format(end="""when late < 2.5 then terminate("late"); end when;""")
+    compiled = acausal.loads(text).compile(only=["h"])
+    assert [v.name for v in compiled.causal.flat.unknowns] == ["x", "h", "v", "bounces", "held", "z", "late"]
