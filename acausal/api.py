@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
@@ -184,6 +184,7 @@ class CompiledModel:
         step: float | None = None,
         events: str = "locate",
         compiled: bool | None = None,
+        keep: Callable[[Result], None] | None = None,
         parameters: Mapping[str, Override] | None = None,
         start: Mapping[str, float] | None = None,
         inputs: Mapping[str, InputValue] | None = None,
@@ -193,7 +194,7 @@ class CompiledModel:
         What is not given comes from the `experiment` annotation, else it is 0 to 1 s, 1e-6, 1/500 of the
         duration. `parameters` and `start` change tunable parameters and start values without compiling again.
         `inputs` gives the model's inputs: constants, functions of time, or tables `(times, values)`.
-        `solver`, `step` (s), `events` and `compiled` are those of `acausal.simulate.simulate`. Raises
+        `solver`, `step` (s), `events`, `compiled` and `keep` are those of `acausal.simulate.simulate`. Raises
         `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
         """
         from acausal.simulate.simulate import simulate
@@ -210,6 +211,7 @@ class CompiledModel:
             step=step,
             events=events,
             compiled=compiled,
+            keep=keep,
             parameters=parameters,
             start=start,
             inputs=inputs,

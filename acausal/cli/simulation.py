@@ -8,7 +8,7 @@ from pathlib import Path
 from acausal.api import CompiledModel, check_names
 from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
-from acausal.errors import UsageProblem, fail
+from acausal.errors import Diagnostic, UsageProblem, fail
 from acausal.simulate.result import Result
 
 _SHOWN = 40
@@ -68,6 +68,7 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         interval=run.interval,
         step=run.step,
         events=run.events,
+        keep=lambda partial: _keep(partial, run),
     )
     print_diagnostics(result.warnings)
     names = run.chosen(result)
@@ -76,6 +77,15 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         print_json(summary(result, names, run))
     else:
         print_run(result, names, run)
+
+
+def _keep(partial: Result, run: Run) -> None:
+    """Writes what there is of a run that did not get to its end, and says so."""
+    if run.output is None and run.plot is None:
+        return
+    write_files(partial, run.chosen(partial), run)
+    message = f"the run stopped before its end; what was written ends at {partial.time[-1]:.9g} s"
+    print_diagnostics([Diagnostic("simulate.partial", message, severity="warning")])
 
 
 def write_files(result: Result, names: tuple[str, ...], run: Run) -> None:

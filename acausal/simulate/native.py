@@ -67,6 +67,7 @@ class NativeSolver:
         began = process_time()
         self._evaluator = evaluator
         self._limits = tolerances
+        self._raised: BaseException | None = None
         self._machine = machine_of(evaluator.code)
         self._compiled = compiled
         self._run_time = RunTime()
@@ -83,6 +84,7 @@ class NativeSolver:
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
+        self._failed = 0
         self._judged, self._slow = (0, tolerances.start), 0
         self._compiling = process_time() - began
 
@@ -121,7 +123,7 @@ class NativeSolver:
         for name, array in self._arrays.items():
             setattr(model, name, memory.array(array))
         if evaluator.is_moving:
-            fill = FILL(evaluator.refill)
+            fill = FILL(self._fill)
             memory.kept.append(fill)
             model.fill = ctypes.cast(fill, ctypes.c_void_p).value
         functions = self._machine.functions
@@ -221,8 +223,22 @@ class NativeSolver:
         sides, slack = self._sides(), np.zeros(max(1, self._evaluator.m.size))
         slack[self._evaluator.located] = np.abs(self._evaluator.shift)
         code = self._run_time.restart(self._solver, time, pointer(self._x), pointer(sides), pointer(slack))
+        self._look_for_interrupts()
         if code != 0:
             raise self._failure(code)
+
+    def _fill(self, time: float) -> None:
+        """The inputs at `time`; what cannot pass through C (Ctrl-C) is raised when the run-time is back."""
+        try:
+            self._evaluator.refill(time)
+        except BaseException as problem:
+            self._raised = problem
+            self._evaluator.u[:] = np.nan
+
+    def _look_for_interrupts(self) -> None:
+        if self._raised is not None:
+            problem, self._raised = self._raised, None
+            raise problem
 
     def _sides(self) -> Vector:
         """The sign that each located root has in its mode; 0 for those that are not located."""
@@ -246,6 +262,8 @@ class NativeSolver:
 
         Comes back early, with the rows so far, where there are many, or where one needs a look.
         """
+        if self._failed:
+            raise self._failure(self._failed)
         end = min(until, self._evaluator.inputs.next_kink(self._time))
         wanted = np.ascontiguousarray(targets[targets <= end])
         width = self._model.outputs
@@ -253,9 +271,13 @@ class NativeSolver:
         rows = np.zeros((len(wanted), width))
         filled = ctypes.c_int(0)
         code = self._call(wanted, end, rows, filled)
+        self._look_for_interrupts()
         done = filled.value
         if code < 0 and code != binding.ROW_NOT_FINITE:
-            raise self._failure(code)
+            if not done:
+                raise self._failure(code)
+            self._failed = code  # the rows so far first
+            return Sweep(self._time, self._x, None, wanted[:done], rows[:done], False, False)
         suspect = code in (binding.VIOLATED, binding.ROW_NOT_FINITE)
         arrived = code in (binding.REACHED, binding.EVENT)
         self._judge(code)

@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from acausal.errors import AcausalError
 from acausal.simulate.costs import Costs, StateCost
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators
@@ -59,19 +60,25 @@ def run(
     x: Vector,
     options: Options,
     recorder: Recorder,
+    stopped: Callable[[Course], None] | None = None,
 ) -> Course:
-    """Integrates and records.
+    """Integrates and records. `stopped` is told how far a run came that fails or is interrupted.
 
     `solver` makes an integrator; it is None for a model without states and located events, which is only
     evaluated. Raises `SimulationProblem`, and ReductionProblem where no states can be chosen any more.
     """
     loop = _Loop(evaluator, solver, options, recorder)
-    loop.begin(options.start_time, x)
-    targets = np.array(list(grid(options)))
-    done = 0
-    while done < len(targets) and loop.ended is None:
-        done += loop.reach(targets[done:])
-    loop.finish()
+    try:
+        loop.begin(options.start_time, x)
+        targets = np.array(list(grid(options)))
+        done = 0
+        while done < len(targets) and loop.ended is None:
+            done += loop.reach(targets[done:])
+        loop.finish()
+    except (AcausalError, KeyboardInterrupt):
+        if stopped is not None:
+            stopped(loop.course())
+        raise
     return loop.course()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from time import process_time
 
 from acausal.codegen.functions import Code
@@ -13,7 +13,7 @@ from acausal.simulate.options import MAX_STEPS, Options, resolve
 from acausal.simulate.overrides import Override
 from acausal.simulate.record import Recorder
 from acausal.simulate.result import Result, Statistics
-from acausal.simulate.run import run
+from acausal.simulate.run import Course, run
 from acausal.simulate.solver import Solver
 from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 
@@ -32,6 +32,7 @@ def simulate(
     step: float | None = None,
     events: str = "locate",
     compiled: bool | None = None,
+    keep: Callable[[Result], None] | None = None,
     parameters: Mapping[str, Override] | None = None,
     start: Mapping[str, float] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
@@ -42,7 +43,8 @@ def simulate(
     the model's inputs: constants, functions of time, or tables `(times, values)`. Times are in seconds.
     `solver` is one of `SOLVERS`; those of `FIXED` take steps of length `step` (the default is the interval),
     and `events` says whether they `locate` zero crossings inside a step or handle them at its end (`step`).
-    `compiled` says whether the model's functions are compiled C; the default is what costs less.
+    `compiled` says whether the model's functions are compiled C; the default is what costs less. `keep` is
+    given the result so far of a run that fails on the way or is interrupted, before the error goes on.
     Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
     """
     options = resolve(
@@ -61,10 +63,10 @@ def simulate(
         compiled=compiled,
     )
     point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
-    return integrate(point, options)
+    return integrate(point, options, keep)
 
 
-def integrate(point: InitialPoint, options: Options) -> Result:
+def integrate(point: InitialPoint, options: Options, keep: Callable[[Result], None] | None = None) -> Result:
     """Integrate from an initial point; the point's evaluator is used up."""
     evaluator = point.evaluator
     code = evaluator.code
@@ -74,9 +76,21 @@ def integrate(point: InitialPoint, options: Options) -> Result:
     def solver(current: Evaluator) -> Solver:
         return make_solver(current, options)
 
+    def result(course: Course) -> Result:
+        cpu = process_time() - began - course.compiling - course.work.compiling
+        return _result(point, options, recorder, course, cpu)
+
+    def stopped(course: Course) -> None:
+        if keep is not None and recorder.time.size:
+            keep(result(course))
+
     moves = (code.system.states or code.located) and options.span > 0
-    course = run(evaluator, solver if moves else None, point.x, options, recorder)
-    cpu = process_time() - began - course.compiling - course.work.compiling
+    return result(run(evaluator, solver if moves else None, point.x, options, recorder, stopped))
+
+
+def _result(point: InitialPoint, options: Options, recorder: Recorder, course: Course, cpu: float) -> Result:
+    evaluator = point.evaluator
+    code = evaluator.code
     return Result(
         system=code.system,
         time=recorder.time,
