@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
@@ -37,6 +38,8 @@ _FLAGS = (
 )
 """Products and sums are rounded one by one, as the virtual machine does it; no flags or `errno` are kept."""
 _TIMEOUT = 600.0
+MOST = 500
+"""Libraries that the cache keeps."""
 _SUFFIX = ".dylib" if sys.platform == "darwin" else ".so"
 
 
@@ -150,6 +153,7 @@ def build(sources: Sources) -> Path:
     library = directory / f"{_key(sources, tool)}{_SUFFIX}"
     if _is_whole(library):
         return library
+    prune(directory)
     with tempfile.TemporaryDirectory(prefix="build-", dir=directory) as folder:
         made = _compile(sources, tool, Path(folder))
         digest = Path(folder) / "digest"
@@ -201,6 +205,7 @@ def start(sources: Sources) -> None:
             (folder / name).write_text(content, encoding="utf-8")
         where = [str(path) for path in (folder, library, library.with_suffix(".sha256"))]
         quiet = subprocess.DEVNULL
+        prune(directory)
         _running[:] = [process for process in _running if process.poll() is None]
         process = subprocess.Popen(
             [sys.executable, "-I", "-S", "-c", _BUILDER, *where, *_command(sources, tool)],
@@ -217,6 +222,18 @@ def start(sources: Sources) -> None:
 def _command(sources: Sources, tool: Compiler) -> list[str]:
     units = [name for name in sources.files if name.endswith(".c")]
     return [tool.path, sources.level, *_FLAGS, *units, "-o", f"library{_SUFFIX}", *sources.link, "-lm"]
+
+
+def prune(directory: Path) -> None:
+    """Deletes the libraries that were made first, down to `MOST`."""
+    made: list[tuple[int, Path]] = []
+    for library in sorted(directory.glob(f"*{_SUFFIX}")):
+        with suppress(OSError):
+            made.append((library.lstat().st_mtime_ns, library))
+    for _, library in sorted(made)[: max(0, len(made) - MOST)]:
+        for path in (library.with_suffix(".sha256"), library):
+            with suppress(OSError):
+                path.unlink()
 
 
 def _compile(sources: Sources, tool: Compiler, folder: Path) -> Path:

@@ -72,6 +72,16 @@ def test_directory_that_others_can_write_to_is_not_used(cache: Path) -> None:
     assert (library.parent.stat().st_mode & 0o077) == 0
 
 
+def test_cache_forgets_what_was_made_first(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(build, "MOST", 2)
+    texts = [build.Sources({"n.c": f"double n(void) {{ return {i}.0; }}\n"}) for i in range(4)]
+    made = [build.build(text) for text in texts]
+    build.prune(cache)
+    assert [build.cached(text) is not None for text in texts] == [False, False, True, True]
+    assert len(list(cache.iterdir())) == 4
+    assert made[3].exists()
+
+
 def test_no_compiler_and_a_failing_one_are_errors(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     del cache
     with pytest.raises(UnsupportedProblem) as caught:
