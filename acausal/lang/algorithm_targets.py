@@ -10,31 +10,43 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.flat import REAL, Causality, Variability
 from acausal.lang.function_frame import Frame
+from acausal.lang.index_choices import VariableIndex, check_size, with_index
 from acausal.lang.instance import Array, Instance, Leaf, Member
 from acausal.lang.light import light_object
 from acausal.lang.matching_values import match_values
 from acausal.lang.references import Selection, refuse_conditional, resolve, selection_value
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assignable, describe
-from acausal.symbolic.expressions.expr import Expr
-
-Pairs = list[tuple[Expr, Expr]]
-"""Symbols of variables and the values they get."""
+from acausal.symbolic.expressions import expr as ex
+from acausal.symbolic.expressions.expr import TRUE, Expr
 
 
 def store_component(frame: Frame, target: ast.ComponentReference, value: AnyValue) -> None:
     """Give variables of the component their new values at this point of an algorithm section."""
-    pairs = assigned_pairs(frame.translation, target, value, frame.env(), initial=frame.initial)
-    frame.current.update(pairs)
+    for guard, symbol, item in list(_choices(frame, target, value, TRUE)):
+        frame.current[symbol] = ex.if_then_else(guard, item, frame.current[symbol])
 
 
-def assigned_pairs(
-    translation: Translation, target: ast.ComponentReference, value: AnyValue, env: Env, *, initial: bool
-) -> Pairs:
-    """Which variable gets which value; `initial` says that parameters may be among them."""
-    left = target_value(translation, target, env, initial=initial)
-    check_assignable(left, value, target)
-    return match_values(left, value, target.span)
+def _choices(
+    frame: Frame, target: ast.ComponentReference, value: AnyValue, guard: Expr
+) -> Iterator[tuple[Expr, Expr, Expr]]:
+    """Which variable gets which value under which condition: of `x[i]` each element may be the one."""
+    translation, env = frame.translation, frame.env()
+    try:
+        left = target_value(translation, target, env, initial=frame.initial)
+    except VariableIndex as varying:
+        if varying.choice is None:
+            raise
+        choice = varying.choice
+    else:
+        check_assignable(left, value, target)
+        yield from [(guard, symbol, item) for symbol, item in match_values(left, value, target.span)]
+        return
+    check_size(choice)
+    choice.check(translation, ex.logical_and(frame.guard, guard))
+    for k in range(1, choice.size + 1):
+        inside = ex.logical_and(guard, choice.test(k))
+        yield from _choices(frame, with_index(target, choice, k), value, inside)
 
 
 def target_value(

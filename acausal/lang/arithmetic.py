@@ -226,6 +226,8 @@ def _joined(a: Expr, b: Expr) -> Expr:
 
 def choose(condition: Expr, then: AnyValue, otherwise: AnyValue, span: Span) -> AnyValue:
     """`if condition then then else otherwise`, element by element and field by field."""
+    if then is otherwise:
+        return then
     if isinstance(then, RecordValue) and isinstance(otherwise, RecordValue) and same_fields(then, otherwise):
         names = list(then.fields)
         chosen = [choose(condition, then.fields[name], otherwise.fields[name], span) for name in names]

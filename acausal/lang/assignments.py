@@ -7,9 +7,8 @@ from itertools import product
 from acausal.lang import ast
 from acausal.lang.algorithm_targets import store_component
 from acausal.lang.arithmetic import as_value, type_error
-from acausal.lang.flow import merge, restore, state_of
 from acausal.lang.function_frame import Frame
-from acausal.lang.index_choices import Choice, VariableIndex, with_index
+from acausal.lang.index_choices import Choice, VariableIndex, check_size, with_changes, with_index
 from acausal.lang.subscripts import subscript_values
 from acausal.lang.values import (
     AnyValue,
@@ -43,11 +42,11 @@ def assign(frame: Frame, statement: ast.Assignment) -> None:
 
 def store(frame: Frame, target: ast.ComponentReference, value: AnyValue) -> None:
     """Give a variable, or a part of one, its new value; an index may vary at run time."""
+    if frame.instance is not None:
+        store_component(frame, target, value)
+        return
     try:
-        if frame.instance is None:
-            _store_variable(frame, target, value)
-        else:
-            store_component(frame, target, value)
+        _store_variable(frame, target, value)
     except VariableIndex as varying:
         if varying.choice is None:
             raise
@@ -56,12 +55,15 @@ def store(frame: Frame, target: ast.ComponentReference, value: AnyValue) -> None
 
 def _store_somewhere(frame: Frame, target: ast.ComponentReference, value: AnyValue, choice: Choice) -> None:
     """`x[i] := value` with an index that is known at run time only: each element may be the one."""
+    check_size(choice)
+    name = target.parts[0].name
+    old = frame.variables[name]
+    result = old
     for k in range(1, choice.size + 1):
-        before = state_of(frame)
+        frame.variables[name] = old
         store(frame, with_index(target, choice, k), value)
-        taken = state_of(frame)
-        restore(frame, before)
-        merge(frame, choice.test(k), taken, before, target.span)
+        result = with_changes(choice.test(k), old, frame.variables[name], result)
+    frame.variables[name] = result
     choice.check(frame.translation, frame.guard)
 
 

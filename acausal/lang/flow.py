@@ -104,9 +104,10 @@ def run_under(frame: Frame, condition: Expr, run: Callable[[], Flow]) -> Flow:
     """Run something where `condition` is true, from the values that the variables have then."""
     outer = frame.path
     frame.path = (*outer, condition)
-    known = facts(condition)
-    frame.variables = {name: _known_value(value, known) for name, value in frame.variables.items()}
-    frame.current = {symbol: _known(item, known) for symbol, item in frame.current.items()}
+    known = {test: truth for test, truth in facts(condition).items() if test in frame.tests}
+    if known:
+        frame.variables = {name: _known_value(value, known) for name, value in frame.variables.items()}
+        frame.current = {symbol: _known(item, known) for symbol, item in frame.current.items()}
     try:
         return run()
     finally:
@@ -131,6 +132,7 @@ def merge(frame: Frame, test: Expr, taken: State, other: State, span: Span) -> N
     """The variables have the values of `taken` where `test` is true, and else those of `other`."""
     if test.op == "not":
         test, taken, other = test.args[0], other, taken
+    frame.tests.add(test)
     frame.variables = {
         name: a if a is other.variables[name] else choose(test, a, other.variables[name], span)
         for name, a in taken.variables.items()
@@ -170,9 +172,11 @@ def _known(item: Expr, known: Mapping[Expr, bool]) -> Expr:
 
 def _known_value(value: AnyValue, known: Mapping[Expr, bool]) -> AnyValue:
     if isinstance(value, Value):
-        if not any(item.op == "if" for item in value.items):
+        if not any(item.op == "if" and item.args[0] in known for item in value.items):
             return value
         return Value(value.type, value.shape, tuple([_known(item, known) for item in value.items]))
     if isinstance(value, RecordValue):
-        return value.with_fields({n: _known_value(v, known) for n, v in value.fields.items()})
+        fields = {name: _known_value(field, known) for name, field in value.fields.items()}
+        unchanged = all(field is value.fields[name] for name, field in fields.items())
+        return value if unchanged else value.with_fields(fields)
     return value

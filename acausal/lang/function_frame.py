@@ -52,6 +52,8 @@ class Frame:
     """In an initial algorithm, which may determine parameters."""
     terminations: list[tuple[Expr, Termination]] = field(default_factory=list[tuple[Expr, Termination]])
     """Calls of `terminate` with the condition under which each is reached."""
+    tests: set[Expr] = field(default_factory=set[Expr])
+    """Conditions on which values were merged."""
     steps: int = 0
 
     @property

@@ -17,11 +17,11 @@ from acausal.lang.assertions import add_assertion
 from acausal.lang.flat import BOOLEAN, INTEGER, Assertion, ScalarType
 from acausal.lang.light import light_object
 from acausal.lang.translation import Translation
-from acausal.lang.values import AnyValue, Value, zero_of
+from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, zero_of
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import EnumValue, Expr
 
-MOST_CHOICES = 2000
+MOST_CHOICES = 10_000
 """Elements that one varying subscript may choose from."""
 
 
@@ -114,6 +114,27 @@ def chosen(choice: Choice, values: Sequence[AnyValue], span: Span) -> AnyValue:
     for k in range(len(values) - 1, 0, -1):
         result = choose(choice.test(k), values[k - 1], result, span)
     return result
+
+
+def with_changes(test: Expr, old: AnyValue, new: AnyValue, result: AnyValue) -> AnyValue:
+    """`result`, but where `new` differs from `old` that is taken if `test` is true."""
+    if new is old:
+        return result
+    if isinstance(new, Value) and isinstance(old, Value) and isinstance(result, Value):
+        rows = zip(old.items, new.items, result.items, strict=True)
+        merged = tuple([r if n is o else ex.if_then_else(test, n, r) for o, n, r in rows])
+        return Value(result.type, result.shape, merged)
+    if isinstance(new, RecordValue) and isinstance(old, RecordValue) and isinstance(result, RecordValue):
+        names = list(result.fields)
+        parts = [with_changes(test, old.fields[n], new.fields[n], result.fields[n]) for n in names]
+        return result.with_fields(dict(zip(names, parts, strict=True)))
+    if isinstance(new, RecordArray) and isinstance(old, RecordArray) and isinstance(result, RecordArray):
+        records = zip(old.items, new.items, result.items, strict=True)
+        changed = [with_changes(test, o, n, r) for o, n, r in records]
+        return RecordArray(
+            result.shape, tuple([c for c in changed if isinstance(c, RecordValue)]), result.scope
+        )
+    return new
 
 
 def check_size(choice: Choice) -> None:

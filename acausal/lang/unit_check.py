@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 from acausal.errors import Diagnostic, Severity, Span
 from acausal.lang.flat import REAL, Equation, FlatModel, Origin, Variable
 from acausal.lang.unit_inference import NUMBER, UNKNOWN, Clash, Inference, Measure, compare
-from acausal.lang.units import MalformedUnit, Unit, format_unit, parse_unit, same_dimensions
+from acausal.lang.units import ONE, MalformedUnit, Unit, format_unit, parse_unit, same_dimensions, same_unit
 from acausal.symbolic.expressions.expr import Expr, sym, symbols
 from acausal.symbolic.expressions.text import to_text
 
@@ -110,6 +110,8 @@ def _attributes(flat: FlatModel, inference: Inference, variable: Variable) -> It
         measure = inference.measure(value)
         yield from _noticed(flat, inference, _Place(variable.span, f"in the {what} of `{variable.name}`", ""))
         clash = compare(left, value, inference.memo[left], measure)
+        if clash is not None and clash.certain and same_unit(clash.left_unit, ONE):
+            clash = replace(clash, certain=False)  # factors are declared so, and given values with a unit
         if clash is not None:
             yield _diagnostic(flat, clash, place)
 
@@ -139,7 +141,7 @@ def _alternatives(equation: Equation) -> list[Equation]:
     """`0 = if c then a else b` states `0 = a` or `0 = b`: the branches need no common unit."""
     for zero, other in ((equation.left, equation.right), (equation.right, equation.left)):
         inner = other
-        while inner.op in ("noEvent", "smooth"):
+        while inner.op in ("noEvent", "smooth", "neg"):
             inner = inner.args[-1]
         if inner.op == "if" and zero.is_const and zero.value == 0:
             return [replace(equation, left=branch, right=zero) for branch in inner.args[1:]]

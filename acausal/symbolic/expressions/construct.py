@@ -70,8 +70,8 @@ def sub(a: Expr, b: Expr) -> Expr:
 
 
 def neg_term(a: Expr) -> Expr:
-    """`-a`, pushed into a sum so that sums stay flat."""
-    if a.op == "add":
+    """`-a`, pushed into a sum so that sums stay flat, unless it is one of those that stay nested."""
+    if a.op == "add" and len(a.args) <= MOST_MERGED:
         return add(*[neg(part) for part in a.args])
     return neg(a)
 
