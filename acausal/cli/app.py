@@ -96,14 +96,16 @@ def check(
     of all models and blocks of a package that are not partial; they fail or pass one by one.
     """
     from acausal.cli.commands import Target, run_check
-    from acausal.cli.survey import Selection, run_survey
 
     target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    if not (recursive or examples or any(setting is not None for setting in (timeout, memory, jobs))):
+        run_check(target, as_json=json)
+        return
+    from acausal.cli.survey import Selection, run_survey
+
     selection = Selection(recursive, examples, timeout, memory, jobs)
     selection.verify()
-    if recursive:
-        raise typer.Exit(run_survey(target, selection, as_json=json))
-    run_check(target, as_json=json)
+    raise typer.Exit(run_survey(target, selection, as_json=json))
 
 
 @app.command("compile", short_help="Say what a model becomes, or print a stage.")
