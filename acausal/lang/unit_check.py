@@ -137,24 +137,26 @@ _CONTEXTS = {
 }
 
 
-def _alternatives(equation: Equation) -> list[Equation]:
+def _alternatives(inference: Inference, equation: Equation) -> list[Equation]:
     """`0 = if c then a else b` states `0 = a` or `0 = b`: the branches need no common unit."""
     for zero, other in ((equation.left, equation.right), (equation.right, equation.left)):
         inner = other
         while inner.op in ("noEvent", "smooth", "neg"):
             inner = inner.args[-1]
         if inner.op == "if" and zero.is_const and zero.value == 0:
+            inference.measure(inner.args[0])
             return [replace(equation, left=branch, right=zero) for branch in inner.args[1:]]
     return []
 
 
 def _equation(flat: FlatModel, inference: Inference, equation: Equation) -> Iterator[Diagnostic]:
     sides, inside, hint = _CONTEXTS[equation.origin]
-    alternatives = _alternatives(equation)
-    if alternatives:
+    if equation.left.is_const or equation.right.is_const:
+        alternatives = _alternatives(inference, equation)
         for alternative in alternatives:
             yield from _equation(flat, inference, alternative)
-        return
+        if alternatives:
+            return
     left, right = inference.measure(equation.left), inference.measure(equation.right)
     if equation.origin is Origin.FLOW_BALANCE:
         inside = sides

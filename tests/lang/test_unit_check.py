@@ -101,6 +101,7 @@ def only(found: tuple[Diagnostic, ...]) -> Diagnostic:
         "x = pre(x)",
         "x = noEvent(x if x > y else y)",
         "x = smooth(1, y)",
+        "0 = noEvent(x - y if x > y else t)",
         "A = x ** 2",
         "x = A ** 0.5",
         "r = (A * s) ** (1 / 3)",
@@ -179,6 +180,7 @@ def test_a_clash_is_reported_once_though_the_expression_is_shared() -> None:
         "x = t + k",
         "v = 2 * x",
         "x = floor(t)",
+        "x = sqrt(t ** 2 + t ** 2)",
         "x = x + 2 * t",
     ],
 )
