@@ -93,7 +93,8 @@ def test_every_operator_has_latex(op: str) -> None:
     operator = OPERATORS[op]
     count = 2 if operator.arity is None else operator.arity
     value = {"sym": "x", "const": 2.5, "call": "f", "smooth": 1}.get(op)
-    latex = expression_latex(make(op, (X, Y, X)[:count], value))
+    args = (X, Y, X)[:count]
+    latex = expression_latex(call(Named("f", 2), *args) if op == "call" else make(op, args, value))
     assert latex
     assert latex.count("{") == latex.count("}")
 
