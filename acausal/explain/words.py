@@ -89,11 +89,10 @@ def use(value: InitialValue, system: CausalSystem) -> str:
 
 def conditions_text(initial: InitialProblem) -> str:
     """How many conditions the start needs, and where they come from."""
-    fixed, assumed = (sum(v.reason == reason for v in initial.values) for reason in ("fixed", "assumed"))
-    surplus = sum(bool(conflict.condition.start) for conflict in initial.conflicts)
+    assumed = sum(v.reason == "assumed" for v in initial.values)
     parts = [
         counted(initial.equations, "initial equation"),
-        f"{counted(fixed - surplus, 'fixed start value')}",
+        counted(initial.needed - initial.equations - assumed, "fixed start value"),
         f"{counted(assumed, 'start value')} assumed though not fixed",
     ]
     return f"{counted(initial.needed, 'condition')} needed beside the equations: {', '.join(parts)}"

@@ -25,7 +25,8 @@ def check_redundant(code: Code, values: Vector) -> None:
         return
     known = values[[code.initial.slots[leaf] for leaf in code.checks.reads]]
     residuals, sizes = (column.ravel() for column in call(code.checks.run, known))
-    conflicts: Sequence[InitialConflict | None] = initial.conflicts or [None] * len(initial.checks)
+    unexplained = [None] * (len(initial.checks) - len(initial.conflicts))
+    conflicts: Sequence[InitialConflict | None] = [*initial.conflicts, *unexplained]
     problems: list[Diagnostic] = []
     for check, conflict, residual, size in zip(initial.checks, conflicts, residuals, sizes, strict=True):
         if abs(residual) > CHECK_TOLERANCE * max(size, 1e-300):
@@ -44,7 +45,9 @@ def _inconsistent(
     condition = conflict.condition if conflict is not None else InitialCondition(check.equation)
     others = conflict.others if conflict is not None else ()
     texts = listed([condition_text(other) for other in others])
-    why = f"it is one condition too many beside {texts}" if others else "the equations alone determine this"
+    why = "the equations alone determine this" if conflict is not None else "it is one condition too many"
+    if others:
+        why = f"it is one condition too many beside {texts}"
     message = (
         f"the initial values contradict {condition_text(condition)}, "
         f"which is off by {number(off)}, with {found}: {why}"

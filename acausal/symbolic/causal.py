@@ -217,7 +217,7 @@ class InitialProblem:
     equations: int = 0
     """How many of them are initial equations; the others are start values."""
     conflicts: tuple[InitialConflict, ...] = ()
-    """For each of `checks` what it competes with."""
+    """For each of the first of `checks` what it competes with."""
     unused: tuple[str, ...] = ()
     """Unknowns with a start value of their own that is used nowhere, because they follow from the rest."""
 

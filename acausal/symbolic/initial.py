@@ -130,6 +130,10 @@ def _state_start(variable: Variable, reduced: Reduced) -> _Start:
     return _Start(variable, value, "fixed" if variable.fixed else "assumed")
 
 
+MOST_EXPLAINED = 100
+"""Surplus conditions whose competitors are looked for; each costs one search."""
+
+
 class _Conditions:
     """Which conditions the unknowns have room for: a matching that grows."""
 
@@ -164,13 +168,13 @@ class _Conditions:
         return fits
 
     def conflicts(self) -> tuple[InitialConflict, ...]:
-        """For every surplus condition the others of the smallest set that is one too many."""
+        """For the first surplus conditions the others of the smallest set that is one too many."""
         if not self.surplus:
             return ()
         matching = self._matcher.freeze()
         numbers = {id(condition): number for number, condition in self._of.items()}
         found: list[InitialConflict] = []
-        for condition in self.surplus:
+        for condition in self.surplus[:MOST_EXPLAINED]:
             part = overdetermined_subset(self._matcher.rows, matching, numbers[id(condition)])
             others = [self._of[eq] for eq in part.equations if eq in self._of]
             found.append(InitialConflict(condition, tuple(o for o in others if o is not condition)))
