@@ -7,6 +7,7 @@ and print it. Start reading here; each line leads to the module that does the wo
 from __future__ import annotations
 
 import gc
+import re
 import sys
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
@@ -23,6 +24,7 @@ from acausal.lang.flat import FlatModel
 from acausal.lang.flatten import flatten
 from acausal.lang.instance import Instance, print_instance
 from acausal.lang.library import ClassNode, Library, name_parts
+from acausal.lang.local_balance import check_local_balance
 from acausal.lang.modifiers import Context, modifier_of_arguments
 from acausal.lang.parser import parse_expression
 from acausal.lang.printer import print_class
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
 Stage = Literal["ast", "instance", "flat", "causal", "code"]
 _T = TypeVar("_T")
 STAGES: tuple[Stage, ...] = ("ast", "instance", "flat", "causal", "code")
+_INDEXED = re.compile(r"('.*'|\w+)(?:\[(\d+(?:,\d+)*)\])?")
 RECURSION_LIMIT = 20_000
 """Python frames that translating the deepest expression the parser admits may take."""
 
@@ -132,6 +135,8 @@ def flatten_and_check(translator: Translator, instance: Instance) -> tuple[FlatM
         flat = decoded_flat(flat, instance.scope.definition)
     verify(flat)
     check_connectors(instance)
+    if flat.equation_count == len(flat.unknowns) and not translator.instances.overdetermined:
+        check_local_balance(flat, instance)  # of an unbalanced model the global count has more to say
     units = check_units(flat)
     errors = [d for d in units if d.severity == "error"]
     if errors:
@@ -143,17 +148,29 @@ def parameter_modification(name: str, text: str) -> ast.ElementModification:
     """`-p name=text` as a modification of the top-level class."""
     source = Source(f"-p {name}", text)
     span = Span(source, 0, len(text))
-    parts = tuple(name_parts(name))
-    if not all(part.isidentifier() or (part.startswith("'") and part.endswith("'")) for part in parts):
+    parts = _with_indices(name_parts(name))
+    if not parts:
         raise fail(
             UsageProblem,
             "usage.parameter-name",
             f"`{name}` is not the name of a parameter",
             names=[name],
-            hint="a dotted path of names; an array is given as a whole, NAME={1, 2}",
+            hint="a dotted path of names; an array is given whole, NAME={1, 2}, or by element, NAME[2]=1",
         )
     value = ast.Modification((), parse_expression(source), span)
     return ast.ElementModification(parts, value, False, False, ast.Comment(None, None), span)
+
+
+def _with_indices(names: list[str]) -> tuple[str, ...]:
+    """The names, each index as one more, `[2]`; nothing if one of them is no name."""
+    parts: list[str] = []
+    for name in names:
+        found = _INDEXED.fullmatch(name)
+        if found is None or not (found[1].startswith("'") or found[1].isidentifier()):
+            return ()
+        parts.append(found[1])
+        parts += [f"[{int(index)}]" for index in (found[2] or "").split(",") if index]
+    return tuple(parts)
 
 
 def print_stage(compilation: Compilation, stage: Stage) -> str:

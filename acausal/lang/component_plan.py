@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from acausal.errors import TypeProblem, fail
 from acausal.lang import ast
 from acausal.lang.access import is_protected
 from acausal.lang.formals import record_class
@@ -47,11 +48,29 @@ def array_of(
             items.append(build(f"{plan.path}[{index}]", part))
             return
         for i in range(shape[depth]):
-            fill(f"{index},{i + 1}" if index else str(i + 1), element_of(part, i, shape[depth]), depth + 1)
+            inside = _element(part, i, shape[depth], plan)
+            fill(f"{index},{i + 1}" if index else str(i + 1), inside, depth + 1)
 
     fill("", modifier, 0)
     scalar = None if simple is None else simple.scalar
     return Array(plan.path, shape, tuple(items), scalar, plan.declaration.span, plan.type)
+
+
+def _element(modifier: Modifier, index: int, size: int, plan: Plan) -> Modifier:
+    """As `element_of`, with what is said of this element alone: `a[2].x = 1` from the command line."""
+    alone = {name: child for name, child in modifier.children.items() if name.startswith("[")}
+    if not alone:
+        return element_of(modifier, index, size)
+    for name, child in alone.items():
+        if not 1 <= int(name[1:-1]) <= size:
+            message = f"`{plan.path}` has no element {name}: its size is {size}"
+            names = [plan.path]
+            raise fail(TypeProblem, "type.index-out-of-range", message, child.span, names=names)
+    others = {name: child for name, child in modifier.children.items() if name not in alone}
+    rest = Modifier(
+        modifier.binding, others, modifier.redeclaration, modifier.final, modifier.span, modifier.beside
+    )
+    return merge(alone.get(f"[{index + 1}]", NO_MODIFIER), element_of(rest, index, size), plan.path)
 
 
 def check_targets(scope: Scope, modifier: Modifier) -> None:

@@ -188,16 +188,12 @@ def _check_sources(members: list[Node], sets: ConnectionSets) -> None:
 
 
 def _equalities(members: list[Node], sets: ConnectionSets) -> list[Equation]:
-    first = ex.sym(members[0][0])
-    paths = list(dict.fromkeys([path for path, _ in members[1:] if path != members[0][0]]))
+    first = members[0][0]
+    places = {node[0]: sets.place[node] for node in reversed(members[1:]) if node[0] != first}
     return [
-        Equation(first, ex.sym(path), _place(sets, path)[0], _place(sets, path)[1], Origin.CONNECTION)
-        for path in paths
+        Equation(ex.sym(first), ex.sym(path), *places[path], Origin.CONNECTION)
+        for path in dict.fromkeys([path for path, _ in members[1:] if path != first])
     ]
-
-
-def _place(sets: ConnectionSets, path: str) -> tuple[Span, str]:
-    return sets.place.get((path, True)) or sets.place[path, False]
 
 
 def _unconnected(sets: ConnectionSets, root: Instance) -> list[Equation]:
