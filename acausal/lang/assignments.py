@@ -100,11 +100,26 @@ def _updated(frame: Frame, old: AnyValue, parts: list[ast.NamePart], value: AnyV
         if not assignable(value.type, old.type):
             message = f"`{part.name}` is {old.type}, but it is assigned {describe(value)}"
             raise type_error("type.mismatch", message, part.span, "", (part.name,))
-        if len(value.shape) != len(old.shape) or (old.items and value.shape != old.shape):
+        if len(value.shape) != len(old.shape) or not _fits(frame, part.name, old, value):
             message = f"`{part.name}` is {describe(old)}, but it is assigned {describe(value)}"
             raise type_error("type.array-size", message, part.span, "", (part.name,))
         return Value(old.type, value.shape, value.items)
     return value
+
+
+def _fits(frame: Frame, name: str, old: Value, value: Value) -> bool:
+    """Whether the sizes are the same; those declared `:` may change with each assignment (12.4.5)."""
+    if not old.items or value.shape == old.shape:
+        return True
+    entry = frame.entries.get(name)
+    if entry is None or frame.variables.get(name) is not old:
+        return False
+    written = [entry.declaration.dimensions, entry.clause.dimensions]
+    sizes = [item for subscripts in written if subscripts is not None for item in subscripts.items]
+    return len(sizes) == len(old.shape) and all(
+        isinstance(size, ast.Colon) or a == b
+        for size, a, b in zip(sizes, old.shape, value.shape, strict=True)
+    )
 
 
 def _store_elements(frame: Frame, old: AnyValue, parts: list[ast.NamePart], value: AnyValue) -> AnyValue:

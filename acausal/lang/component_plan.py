@@ -102,7 +102,7 @@ def spread_record(modifier: Modifier, scope: Scope) -> Modifier:
         child = children.get(name, NO_MODIFIER)
         stays = child.binding is not None and (modifier.beside is None or name in modifier.beside)
         is_constant = entry.clause.variability == "constant" or entry.clause.prefixes.final
-        if not stays and not is_constant:
+        if not stays and not (is_constant and entry.written.binding is not None):
             part = Modifier(binding=modifier.binding.part(name), span=modifier.span)
             children[name] = merge(
                 part, Modifier(None, child.children, child.redeclaration, False, child.span)

@@ -99,7 +99,7 @@ def construct_record(translation: Translation, scope: Scope, node: ast.Call, env
         message = f"`{scope.path}` is a partial record and cannot be constructed"
         raise type_error("type.partial", message, node.span, "", (scope.path,))
     entries = [e for e in scope.table.components.values() if not e.protected]
-    open_entries = [e for e in entries if e.clause.variability != "constant" and not e.clause.prefixes.final]
+    open_entries = [e for e in entries if not _is_settled(e)]
     given = _bind_arguments(translation, scope, open_entries, node, env)
     frame = new_frame(translation, scope, env)
     for entry in declaration_order(entries):
@@ -108,6 +108,12 @@ def construct_record(translation: Translation, scope: Scope, node: ast.Call, env
             raise _no_argument(scope, entry, node)
         frame.variables[entry.name] = declare(frame, entry, value, node.span)
     return RecordValue(scope.path, {entry.name: frame.variables[entry.name] for entry in entries}, scope)
+
+
+def _is_settled(entry: ComponentEntry) -> bool:
+    """A constant or final field with a value is no argument of the record's constructor (12.6)."""
+    fixed = entry.clause.variability == "constant" or entry.clause.prefixes.final
+    return fixed and default_of(entry) is not None
 
 
 # --------------------------------------------------------------------------- one call
