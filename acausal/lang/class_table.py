@@ -85,6 +85,8 @@ class ClassEntry:
     scope: Scope
     modifier: Modifier = NO_MODIFIER
     built: Scope | None = None
+    busy: bool = False
+    """While the scope of a redeclared class is being built, to notice circles."""
 
 
 @light_object

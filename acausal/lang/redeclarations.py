@@ -116,6 +116,18 @@ class NestedClass:
 
 def redeclared_class(entry: ClassEntry) -> NestedClass:
     """A nested class that is redeclared or modified from outside. Raises `redeclare.*`."""
+    if entry.busy:
+        span = entry.node.definition.span
+        message = f"the constraining class of `{entry.name}` is `{entry.name}` itself"
+        raise fail(TypeProblem, "redeclare.cyclic", message, span, names=[entry.name])
+    entry.busy = True
+    try:
+        return _nested_class(entry)
+    finally:
+        entry.busy = False
+
+
+def _nested_class(entry: ClassEntry) -> NestedClass:
     modifier = entry.modifier
     redeclaration = modifier.redeclaration
     if redeclaration is None:
