@@ -168,6 +168,9 @@ def file_routines(files: Files) -> dict[str, Routine]:
             return {-1: _FILE_TYPES["none"]}
         return {-1: _FILE_TYPES["file" if path.is_file() else "directory" if path.is_dir() else "none"]}
 
+    def folder(args: Sequence[Argument]) -> Changed:
+        return {-1: str(files.base)}
+
     def lines(args: Sequence[Argument]) -> Changed:
         return {-1: len(files.read(text(args[0])).splitlines())}
 
@@ -195,6 +198,7 @@ def file_routines(files: Files) -> dict[str, Routine]:
     return {
         "ModelicaInternal_fullPathName": full_path,
         "ModelicaInternal_stat": stat,
+        "ModelicaInternal_getcwd": folder,
         "ModelicaInternal_countLines": lines,
         "ModelicaInternal_readLine": line,
         "ModelicaInternal_readFile": all_lines,
@@ -224,6 +228,7 @@ def _process(args: Sequence[Argument]) -> Changed:
 
 _SYSTEM: dict[str, Routine] = {
     "ModelicaInternal_print": _nothing,
+    "ModelicaMessage": _nothing,
     "ModelicaStreams_closeFile": _nothing,
     "ModelicaInternal_getTime": _time,
     "ModelicaInternal_getenv": _environment,

@@ -116,10 +116,14 @@ def time_table(args: Sequence[Argument], files: Files) -> ExternalObject:
 
 
 def rows_of(args: Sequence[Argument], files: Files, delimiter: int) -> Rows:
-    """The matrix of a table: the third argument, or what stands in its file. Raises `RoutineFailed`."""
+    """The matrix of a table: the third argument, or what stands in its file. Raises `RoutineFailed`.
+
+    Before version 4.1 of the standard library nothing is told about the delimiter and header lines.
+    """
     file, table = text(args[0]).strip(), text(args[1]).strip()
     if file not in ("", "NoName"):
-        return read_table(files, text(args[0]), table, text(args[delimiter]), whole(args[delimiter + 1]))
+        told = (text(args[delimiter]), whole(args[delimiter + 1])) if len(args) > delimiter else (",", 0)
+        return read_table(files, text(args[0]), table, *told)
     if table not in ("", "NoName"):
         raise RoutineFailed(f"the table `{table}` is in no file, and tables of C functions are not supported")
     shape = args[2].shape if isinstance(args[2], Tensor) else ()

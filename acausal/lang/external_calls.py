@@ -14,9 +14,9 @@ from acausal.externals.arguments import Argument, Routine, RoutineFailed, Tensor
 from acausal.externals.files import file_routines
 from acausal.externals.routines import IMPURE_RANDOM, called, find_routine
 from acausal.lang import ast
-from acausal.lang.arithmetic import as_value, type_error
+from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.external_objects import APPLICATIONS, CONSTRUCTORS, Application, object_of
-from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, Assertion, ScalarType
 from acausal.lang.function_frame import Frame
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Translation
@@ -25,6 +25,7 @@ from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr
 
 _TABLES = "ModelicaStandardTables_"
+_MESSAGES = {"ModelicaError": "error", "ModelicaWarning": "warning"}
 _LANGUAGES = (None, "C", "FORTRAN 77")
 _WHAT = "an argument of an external function"
 
@@ -82,6 +83,9 @@ def _results(
     node: ast.Call,
 ) -> dict[int, AnyValue]:
     translation = frame.translation
+    if name in _MESSAGES:
+        _say(frame, _MESSAGES[name], values, node)
+        return {}
     if name.startswith(_TABLES):
         applied = APPLICATIONS.get(name.removeprefix(_TABLES))
         if applied is not None:
@@ -102,6 +106,12 @@ def _results(
         return _evaluated(routine, _constants(translation, values, node.span))
     known = None if name == IMPURE_RANDOM else _known(translation, values)
     return _deferred(frame, name, values, written) if known is None else _evaluated(routine, known)
+
+
+def _say(frame: Frame, level: str, values: Sequence[AnyValue], node: ast.Call) -> None:
+    """A call that must not be reached, or that warns, is an assertion that fails where it is reached."""
+    text = as_scalar(values[0], node.span).item if values else ex.const(frame.scope.path)
+    frame.translation.assertions.append(Assertion(ex.FALSE, text, level, node.span))
 
 
 def _unknown(scope: Scope, name: str, span: Span) -> AcausalError:

@@ -31,10 +31,15 @@ def _table_2d(args: Sequence[Argument], files: Files) -> ExternalObject:
     return table_2d(args, files)
 
 
+_TABLES: dict[str, Constructor] = {
+    "CombiTable1D": table_1d,
+    "CombiTimeTable": time_table,
+    "CombiTable2D": _table_2d,
+}
 CONSTRUCTORS: dict[str, Constructor] = {
-    "ModelicaStandardTables_CombiTable1D_init3": table_1d,
-    "ModelicaStandardTables_CombiTimeTable_init3": time_table,
-    "ModelicaStandardTables_CombiTable2D_init3": _table_2d,
+    f"ModelicaStandardTables_{name}_{version}": build
+    for name, build in _TABLES.items()
+    for version in ("init2", "init3")
 }
 _ROUNDING = 1e-12
 

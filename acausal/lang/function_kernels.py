@@ -14,6 +14,7 @@ from math import prod
 
 from acausal.errors import AcausalError
 from acausal.lang import ast
+from acausal.lang.arithmetic import type_error
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType
 from acausal.lang.modifiers import Context
 from acausal.lang.scope import Scope
@@ -61,7 +62,11 @@ class Body:
         env = Env(Context(self.scope, None), local)
         checks = len(self.translation.assertions)
         try:
-            return self.translation.call(self.scope, call, env)
+            results = self.translation.call(self.scope, call, env)
+            for assertion in self.translation.assertions[checks:]:
+                if assertion.condition is ex.FALSE and assertion.level == "error":
+                    raise type_error("function.assertion", str(assertion.message.value), assertion.span)
+            return results
         finally:
             del self.translation.assertions[checks:]
 

@@ -318,6 +318,13 @@ def test_two_dimensional_table() -> None:
     assert value(found.kernel(), 15.0, 1.5) == 2.5
 
 
+def test_constructors_without_delimiter() -> None:
+    data = Tensor((2, 2), (0.0, 1.0, 1.0, 3.0))
+    found = table_1d(["NoName", "NoName", data, 2, 2, Tensor((1,), (2,)), 1, 1, 1, False], NO_FILES)
+    assert isinstance(found, TableObject)
+    assert value(found.column(1), 0.5) == 2.0
+
+
 def test_equal_tables_are_one_kernel() -> None:
     assert timed().column(1) == timed().column(1)
     assert timed().column(1) != timed(events=1, outside=1).column(1)
