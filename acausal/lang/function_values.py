@@ -13,6 +13,7 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.flat import ScalarType
+from acausal.lang.predefined import SIMPLE_TYPES
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Env, Translation
 from acausal.lang.value_calls import reference
@@ -51,6 +52,8 @@ def inputs_of(scope: Scope) -> list[ComponentEntry]:
 
 def is_function_type(entry: ComponentEntry) -> bool:
     """Whether an input of a function is a function itself."""
+    if entry.clause.type.text in SIMPLE_TYPES:
+        return False
     return entry.scope.find_class(entry.clause.type).kind == "function"
 
 
