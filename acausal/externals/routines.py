@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
@@ -39,12 +39,14 @@ def find_routine(name: str) -> Routine | None:
 class Called(Kernel):
     """One scalar that a function of the table computes: element `element` of what it puts at `position`.
 
-    The arguments are the elements of the function's arguments, whose sizes are `shapes`.
+    `shapes` are the sizes of the function's arguments, `template` their elements; the kernel's own arguments
+    stand where it has None.
     """
 
     name: str
     routine: str
     shapes: tuple[_Shape, ...]
+    template: tuple[Constant | None, ...]
     position: int
     element: int
     result: str
@@ -57,7 +59,9 @@ class Called(Kernel):
         return True
 
     def evaluate(self, *args: Constant) -> Constant:
-        value = _changed(self.routine, self.shapes, args).get(self.position)
+        rest = iter(args)
+        given = tuple([next(rest) if value is None else value for value in self.template])
+        value = _changed(self.routine, self.shapes, given).get(self.position)
         if value is None:
             raise ValueError(f"{self.routine} fails")
         single = value.items[self.element] if isinstance(value, Tensor) else value
@@ -67,13 +71,23 @@ class Called(Kernel):
         return None
 
 
-def called(
-    routine: str, shapes: Sequence[_Shape], position: int, element: int, result: str, name: str
-) -> Called:
-    """The kernel with these parts."""
-    key = digest(name, routine, tuple(shapes), position, element, result)
-    arity = sum(1 if shape is None else prod(shape) for shape in shapes)
-    return Called(name, routine, tuple(shapes), position, element, result, key, arity)
+def caller(
+    routine: str,
+    shapes: Sequence[_Shape],
+    template: tuple[Constant | None, ...],
+    position: int,
+    result: str,
+    name: str,
+) -> Callable[[int], Called]:
+    """Makes the kernels of one call's result, element by element."""
+    base = digest(name, routine, tuple(shapes), template, position, result)
+    arity = sum(value is None for value in template)
+
+    def called(element: int) -> Called:
+        key = f"{base}:{element}"
+        return Called(name, routine, tuple(shapes), template, position, element, result, key, arity)
+
+    return called
 
 
 @lru_cache(maxsize=4096)

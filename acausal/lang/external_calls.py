@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acausal.errors import AcausalError, Span, UnsupportedProblem, fail
+from acausal.errors import AcausalError, Diagnostic, Span, UnsupportedProblem, fail
 from acausal.externals.arguments import Argument, Routine, RoutineFailed, Tensor
 from acausal.externals.files import file_routines
-from acausal.externals.routines import IMPURE_RANDOM, called, find_routine
+from acausal.externals.routines import IMPURE_RANDOM, caller, find_routine
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.external_objects import APPLICATIONS, CONSTRUCTORS, Application, object_of
@@ -26,6 +26,7 @@ from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr
 
 _TABLES = "ModelicaStandardTables_"
 _MESSAGES = {"ModelicaError": "error", "ModelicaWarning": "warning"}
+_WRITE = "ModelicaIO_writeRealMatrix"
 _LANGUAGES = (None, "C", "FORTRAN 77")
 _WHAT = "an argument of an external function"
 
@@ -86,6 +87,9 @@ def _results(
     if name in _MESSAGES:
         _say(frame, _MESSAGES[name], values, node)
         return {}
+    if name == _WRITE:
+        _note_unwritten(frame, node)
+        return {-1: literal(False)}
     if name.startswith(_TABLES):
         applied = APPLICATIONS.get(name.removeprefix(_TABLES))
         if applied is not None:
@@ -112,6 +116,14 @@ def _say(frame: Frame, level: str, values: Sequence[AnyValue], node: ast.Call) -
     """A call that must not be reached, or that warns, is an assertion that fails where it is reached."""
     text = as_scalar(values[0], node.span).item if values else ex.const(frame.scope.path)
     frame.translation.assertions.append(Assertion(ex.FALSE, text, level, node.span))
+
+
+def _note_unwritten(frame: Frame, node: ast.Call) -> None:
+    """A model may write no files: the function says that it failed, and a warning says so too."""
+    message = f"`{frame.scope.path}` writes no file here: it returns false"
+    warning = Diagnostic("external.not-written", message, node.span, (frame.scope.path,), severity="warning")
+    if warning not in frame.translation.warnings:
+        frame.translation.warnings.append(warning)
 
 
 def _unknown(scope: Scope, name: str, span: Span) -> AcausalError:
@@ -177,16 +189,19 @@ def _deferred(
     """Kernels for the elements of everything that the function writes."""
     plain = [as_value(value, frame.scope.span) for value in values]
     shapes = [value.shape or None for value in plain]
-    args = [item for value in plain for item in value.items]
+    items_in = [item for value in plain for item in value.items]
+    template = tuple([item.value if item.is_const else None for item in items_in])
+    args = [item for item in items_in if not item.is_const]
     found: dict[int, AnyValue] = {}
     for position, target in written.items():
+        if frame.entries[target].clause.causality != "output":
+            continue  # work arrays: nothing comes after the call that could read them
         old = as_value(frame.variables[target], frame.scope.span)
         result = old.type.name if old.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
         shown = f"{frame.scope.path}.{target}"
-        items = [
-            ex.call(called(name, shapes, position, k, result, shown), *args) for k in range(len(old.items))
-        ]
-        found[position] = Value(old.type, old.shape, tuple(items))
+        make = caller(name, shapes, template, position, result, shown)
+        items = tuple([ex.call(make(k), *args) for k in range(len(old.items))])
+        found[position] = Value(old.type, old.shape, items)
     return found
 
 

@@ -11,7 +11,7 @@ from scipy.io import savemat
 from acausal.externals.arguments import Argument, RoutineFailed, Tensor, matrix, tensor
 from acausal.externals.files import Files, file_routines, read_table
 from acausal.externals.random_numbers import GLOBAL_SEED
-from acausal.externals.routines import IMPURE_RANDOM, called, find_routine
+from acausal.externals.routines import IMPURE_RANDOM, caller, find_routine
 
 
 def run(name: str, *args: Argument) -> dict[int, Argument]:
@@ -125,9 +125,11 @@ def test_the_global_seed_is_fixed() -> None:
 
 
 def test_kernel_of_a_routine_gives_elements() -> None:
-    state = (1, 0, 2, 0)
-    kernels = [called("ModelicaRandom_xorshift128plus", [(4,)], 1, k, "Integer", "state") for k in range(4)]
-    assert [k.evaluate(*state) for k in kernels] == [2, 0, 8388677, 0]
+    template = (None, 0, None, 0)
+    name = "ModelicaRandom_xorshift128plus"
+    kernels = [caller(name, [(4,)], template, 1, "Integer", "state")(k) for k in range(4)]
+    assert [k.evaluate(1, 2) for k in kernels] == [2, 0, 8388677, 0]
+    assert kernels[0].arity == 2
     assert kernels[0].is_discrete
     assert kernels[0].partial(0) is None
 
