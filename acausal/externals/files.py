@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
 from acausal.externals.arguments import (
     Argument,
@@ -98,12 +99,13 @@ def _matlab(path: Path, name: str) -> dict[str, Rows]:
     pending = list(content.items())
     while pending:
         key, value = pending.pop()
-        if not isinstance(value, np.ndarray) or value.ndim != 2:
+        if not isinstance(value, np.ndarray):
             continue
-        if value.dtype.names is not None and value.size == 1:  # a structure: `s.tab`
-            pending += [(f"{key}.{name}", value[name][0, 0]) for name in value.dtype.names]
-        elif value.dtype.kind in "fiub":
-            matrices[key] = value.astype(float).tolist()
+        array = cast("np.ndarray[tuple[int, ...], np.dtype[np.void]]", value)
+        if array.ndim == 2 and array.dtype.names is not None and array.size == 1:  # a structure: `s.tab`
+            pending += [(f"{key}.{name}", array[name][0, 0]) for name in array.dtype.names]
+        elif array.ndim == 2 and array.dtype.kind in "fiub":
+            matrices[key] = array.astype(float).tolist()
     return matrices
 
 
