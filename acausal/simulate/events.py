@@ -64,7 +64,7 @@ class Instant:
     crossed: NDArray[np.bool_]
     roots: Vector
     anchored: bool = False
-    """Crossed relations keep the value that the crossing gave them, whatever the derivatives are now."""
+    """Crossed relations keep the value that the crossing gave them, whatever the values are now."""
 
 
 def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -> Vector:
@@ -81,7 +81,7 @@ def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -
     _check(evaluator, roots, time)
     wanted = literal_modes(ops, roots)
     located = instant.crossed & (np.abs(roots - instant.roots) <= BAND * sizes)
-    kept = located & instant.anchored
+    kept = instant.crossed & instant.anchored
     wanted = np.where(kept, evaluator.m, wanted)
     near = (located | (np.abs(roots) <= BAND * sizes) | evaluator.within(roots)) & ~kept
     if not near.any():
