@@ -63,6 +63,8 @@ class Instant:
     """How far to look forward."""
     crossed: NDArray[np.bool_]
     roots: Vector
+    undecided: bool = False
+    """A root that rests at exactly zero may have either mode."""
     anchored: bool = False
     """Crossed relations keep the value that the crossing gave them, whatever the values are now."""
 
@@ -91,7 +93,7 @@ def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -
     later = evaluator.roots.copy()
     evaluator.at(time, x)
     moved = near & (np.abs(later - roots) > _NOISE * sizes)
-    still = near & ~moved & (roots != 0)
+    still = near & ~moved & ((roots != 0) | instant.undecided)
     wanted = np.where(moved, literal_modes(ops, later), wanted)
     return np.where(still, evaluator.m, wanted)
 

@@ -3,7 +3,8 @@
 Inner loop. Continuous blocks, modes (see `events` for what happens at a zero root) and discrete equations
 are evaluated in turn until nothing changes; values before the event stay fixed. Where that goes round in
 circles, as it may for friction elements that share a loop, one mode at a time is changed (Murty's least-index
-rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of them.
+rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of them; at
+last a root that rests at exactly zero, as that of a brake on a shaft that another one holds, may have either.
 
 Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
 the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before
@@ -203,11 +204,13 @@ class Settling:
         which = np.flatnonzero(self._disputed)
         if len(which) > MOST_TRIED or len(circle) == 1:
             return False
-        for values in product((0.0, 1.0), repeat=len(which)):
-            evaluator.m[:], evaluator.d[:] = circle[0].m, circle[0].d
-            evaluator.m[which] = values
-            if self._is_consistent(which):
-                return True
+        for undecided in (False, True):
+            self._instant = replace(self._instant, undecided=undecided)
+            for values in product((0.0, 1.0), repeat=len(which)):
+                evaluator.m[:], evaluator.d[:] = circle[0].m, circle[0].d
+                evaluator.m[which] = values
+                if self._is_consistent(which):
+                    return True
         return False
 
     def _is_consistent(self, which: NDArray[np.intp]) -> bool:
