@@ -112,25 +112,18 @@ class _Loop:
         self._x = evaluator.x.copy()
 
     def begin(self, time: float, x: Vector) -> None:
-        """Records the initial values, and what the first event makes of them."""
+        """From the initial values through the first event; what holds before it is no part of the course."""
         self._time, self._x = time, x.copy()
         evaluator, settling = self.evaluator, self._settling
-        before = self._switched()
         evaluator.at(time, x)
         evaluator.settle()
         self._keep_past()
-        if "initial" in settling.phases:  # what holds during initialisation only is no part of the course
-            settling.remember()
-            evaluator.d[settling.phases["initial"]] = 0.0
-            self._x = settling.settle(time, x)
-            before = self._switched()
-        self.recorder.add(time, self._x)
         settling.remember()
+        if "initial" in settling.phases:
+            evaluator.d[settling.phases["initial"]] = 0.0
         evaluator.d[settling.samples] = self._schedule.due(time)
-        x = self._x
         self._x = settling.settle(time, x)
-        if not np.array_equal(before, self._switched()) or not np.array_equal(x, self._x):
-            self.recorder.add(time, self._x)
+        self.recorder.add(time, self._x)
         self._close()
         self._restart()
 

@@ -106,7 +106,7 @@ class Settling:
         evaluator.settle()
         evaluator.event()
         self._instant = Instant(
-            time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), bool(evaluator.d.size)
+            time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), anchored=bool(evaluator.d.size)
         )
         evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
 
