@@ -198,6 +198,8 @@ def _general_power(node: Expr, args: list[Measure]) -> Measure:
     if exponent.is_const and isinstance(exponent.value, int | float):
         rational = Fraction(exponent.number).limit_denominator(12)
         if abs(float(rational) - exponent.number) < 1e-12 and abs(rational) <= 100:
+            if rational == Fraction(1, 2):
+                return _root(node, args)
             return _power(args[0], rational)
     base = args[0].unit
     return Measure(units.ONE) if base is not None and same_unit(base, units.ONE) else UNKNOWN
