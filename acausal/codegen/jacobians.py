@@ -32,21 +32,28 @@ def jacobian_function(code: Code, of: Of, by: By) -> Function:
         return _residuals(code, by)
     position = _POSITION[by]
     if code.ode.is_a("SXFunction"):
-        inputs = code.ode.sx_in()
-        matrix = ca.jacobian(_target(code, of, inputs), inputs[position], _OPTIONS)
-    else:
-        inputs = code.ode.mx_in()
-        matrix = ca.jacobian(_target(code, of, inputs), inputs[position], _OPTIONS)
+        symbols = code.ode.sx_in()
+        graph = ca.jacobian(_scalars(code, of, symbols), symbols[position], _OPTIONS)
+        return Function(f"{of}_by_{by}", symbols, [graph], code.ode.name_in(), ["J"], FORWARD)
+    inputs = code.ode.mx_in()
+    matrix = ca.jacobian(_matrices(code, of, inputs), inputs[position], _OPTIONS)
     return Function(f"{of}_by_{by}", inputs, [matrix], code.ode.name_in(), ["J"], FORWARD)
 
 
-def _target(code: Code, of: Of, inputs: list[ca.MX] | list[SX]) -> ca.MX | SX:
+def _scalars(code: Code, of: Of, inputs: list[SX]) -> SX:
     """What is differentiated, with the blocks solved."""
     xdot, z = code.ode.call(inputs, True, False)
-    if of == "derivatives":
-        return xdot
-    function = code.events if of == "events" else code.outputs
-    return function.call([*inputs[:-1], z], True, False)[0]
+    return xdot if of == "derivatives" else _given(code, of).call([*inputs[:-1], z], True, False)[0]
+
+
+def _matrices(code: Code, of: Of, inputs: list[ca.MX]) -> ca.MX:
+    """The same where the blocks are solved by a nested Function."""
+    xdot, z = code.ode.call(inputs, True, False)
+    return xdot if of == "derivatives" else _given(code, of).call([*inputs[:-1], z], True, False)[0]
+
+
+def _given(code: Code, of: Of) -> Function:
+    return code.events if of == "events" else code.outputs
 
 
 def residual_unknowns(code: Code) -> tuple[Expr, ...]:

@@ -87,8 +87,10 @@ end P;
 """
 
 
-def run(name: str, stop: float, **options: float) -> Result:
-    return acausal.loads(LIBRARY, f"P.{name}").compile().simulate(stop_time=stop, **options)
+def run(name: str, stop: float, rtol: float | None = None, interval: float | None = None) -> Result:
+    return (
+        acausal.loads(LIBRARY, f"P.{name}").compile().simulate(stop_time=stop, rtol=rtol, interval=interval)
+    )
 
 
 @pytest.mark.parametrize("solver", ["rodas", "cvode"])

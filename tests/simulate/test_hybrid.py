@@ -10,8 +10,12 @@ from acausal.errors import InitializationProblem, SimulationProblem
 from acausal.simulate.result import Result
 
 
-def run(text: str, stop: float, **options: float) -> Result:
-    return acausal.loads(f"model M\n{text}\nend M;\n").compile().simulate(stop_time=stop, **options)
+def run(text: str, stop: float, rtol: float | None = None, interval: float | None = None) -> Result:
+    return (
+        acausal.loads(f"model M\n{text}\nend M;\n")
+        .compile()
+        .simulate(stop_time=stop, rtol=rtol, interval=interval)
+    )
 
 
 BALL = """
