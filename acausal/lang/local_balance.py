@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from acausal.errors import BalanceProblem, Diagnostic
 from acausal.lang.flat import Causality, FlatModel, Origin, Variability
 from acausal.lang.instance import Array, Connection, Instance, Leaf, Member, Outer, leaves
+from acausal.symbolic.expressions.expr import symbols
 
 _MODELS = ("model", "block", "class")
 _MOST = 10
@@ -36,6 +37,7 @@ class _Count:
 class _Levels:
     """All components of the model, and which of them each variable counts in."""
 
+    connected: set[str]
     counts: dict[str, _Count] = field(default_factory=dict[str, _Count])
     owner: dict[str, str] = field(default_factory=dict[str, str])
     outside: dict[str, str] = field(default_factory=dict[str, str])
@@ -44,7 +46,7 @@ class _Levels:
 
 def check_local_balance(flat: FlatModel, root: Instance) -> None:
     """Raise `BalanceProblem` `balance.local` for components that are not balanced by themselves."""
-    levels = _levels(root)
+    levels = _levels(root, _connected(flat))
     _count_equations(flat, levels)
     wrong = [count for path, count in levels.counts.items() if path and not count.exempt]
     found: dict[str, Diagnostic] = {}
@@ -72,8 +74,14 @@ def _diagnostic(count: _Count) -> Diagnostic:
 # --------------------------------------------------------------------------- unknowns
 
 
-def _levels(root: Instance) -> _Levels:
-    levels = _Levels()
+def _connected(flat: FlatModel) -> set[str]:
+    """Names of the variables in connections."""
+    equations = [equation for equation in flat.equations if equation.origin is Origin.CONNECTION]
+    return {name for equation in equations for name in symbols([equation.left, equation.right])}
+
+
+def _levels(root: Instance, connected: set[str]) -> _Levels:
+    levels = _Levels(connected)
     stack: list[tuple[Instance, str]] = [(root, "")]
     while stack:
         model, around = stack.pop()
@@ -90,7 +98,9 @@ def _levels(root: Instance) -> _Levels:
                 if isinstance(part, Leaf) or part.scope.kind not in _MODELS:
                     _count_variables(levels, count, part, public, around)
                 else:
-                    count.unknowns += sum(1 for leaf in _public_connector_leaves(part) if _from_outside(leaf))
+                    count.unknowns += sum(
+                        1 for leaf in _public_connector_leaves(part) if _from_outside(leaf, levels.connected)
+                    )
                     count.exempt = count.exempt or any(_is_expandable(m) for m in part.members.values())
                     stack.append((part, model.path))
     return levels
@@ -128,19 +138,19 @@ def _count_variables(
         if not public:
             continue
         if connector:
-            count.equations += _from_outside(leaf)
+            count.equations += _from_outside(leaf, levels.connected)
         elif leaf.prefixes.causality is Causality.INPUT and leaf.binding is None:
             count.equations += 1
 
 
-def _from_outside(leaf: Leaf) -> bool:
+def _from_outside(leaf: Leaf, connected: set[str]) -> bool:
     """Whether a connection determines a variable of a component's connector, not a value in place of one."""
     prefixes = leaf.prefixes
     if prefixes.variability <= Variability.PARAMETER:
         return False
-    return (
-        prefixes.causality is Causality.INPUT and leaf.binding is None
-    ) or prefixes.connection is Connection.FLOW
+    if prefixes.causality is Causality.INPUT:
+        return leaf.binding is None or leaf.path in connected
+    return prefixes.connection is Connection.FLOW
 
 
 def _public_connector_leaves(model: Instance) -> Iterator[Leaf]:
