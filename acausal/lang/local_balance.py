@@ -37,7 +37,7 @@ class _Count:
 class _Levels:
     """All components of the model, and which of them each variable counts in."""
 
-    connected: set[str]
+    connected: set[tuple[str, str]]
     counts: dict[str, _Count] = field(default_factory=dict[str, _Count])
     owner: dict[str, str] = field(default_factory=dict[str, str])
     outside: dict[str, str] = field(default_factory=dict[str, str])
@@ -74,13 +74,17 @@ def _diagnostic(count: _Count) -> Diagnostic:
 # --------------------------------------------------------------------------- unknowns
 
 
-def _connected(flat: FlatModel) -> set[str]:
-    """Names of the variables in connections."""
+def _connected(flat: FlatModel) -> set[tuple[str, str]]:
+    """The variables in connections, each with the component that connects it."""
     equations = [equation for equation in flat.equations if equation.origin is Origin.CONNECTION]
-    return {name for equation in equations for name in symbols([equation.left, equation.right])}
+    return {
+        (name, equation.component)
+        for equation in equations
+        for name in symbols([equation.left, equation.right])
+    }
 
 
-def _levels(root: Instance, connected: set[str]) -> _Levels:
+def _levels(root: Instance, connected: set[tuple[str, str]]) -> _Levels:
     levels = _Levels(connected)
     stack: list[tuple[Instance, str]] = [(root, "")]
     while stack:
@@ -99,7 +103,9 @@ def _levels(root: Instance, connected: set[str]) -> _Levels:
                     _count_variables(levels, count, part, public, around)
                 else:
                     count.unknowns += sum(
-                        1 for leaf in _public_connector_leaves(part) if _from_outside(leaf, levels.connected)
+                        1
+                        for leaf in _public_connector_leaves(part)
+                        if _from_outside(leaf, model.path, levels.connected)
                     )
                     count.exempt = count.exempt or any(_is_expandable(m) for m in part.members.values())
                     stack.append((part, model.path))
@@ -138,18 +144,18 @@ def _count_variables(
         if not public:
             continue
         if connector:
-            count.equations += _from_outside(leaf, levels.connected)
+            count.equations += _from_outside(leaf, around, levels.connected)
         elif leaf.prefixes.causality is Causality.INPUT and leaf.binding is None:
             count.equations += 1
 
 
-def _from_outside(leaf: Leaf, connected: set[str]) -> bool:
+def _from_outside(leaf: Leaf, around: str, connected: set[tuple[str, str]]) -> bool:
     """Whether a connection determines a variable of a component's connector, not a value in place of one."""
     prefixes = leaf.prefixes
     if prefixes.variability <= Variability.PARAMETER:
         return False
     if prefixes.causality is Causality.INPUT:
-        return leaf.binding is None or leaf.path in connected
+        return leaf.binding is None or (leaf.path, around) in connected
     return prefixes.connection is Connection.FLOW
 
 
