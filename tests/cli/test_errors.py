@@ -34,7 +34,6 @@ compile Tank.mo -p hole=
 compile Tank.mo -p =1
 compile Tank.mo -p hole=1 -p hole=2
 compile Tank.mo -p 'ho le=1'
-compile Tank.mo -p 'hole[1]=1'
 check Missing.mo
 check folder/
 check folder.mo

@@ -35,7 +35,7 @@ package P
 
   model Clutch
     extends Rub;
-    Real left, right, force;
+    input Real left, right, force;
   equation
     v = left - right;
     a = der(v);

@@ -187,17 +187,17 @@ package WrongModels "Models that an engineer gets wrong, each in one way; test_w
     x^2 + 1 = 0;
   end NoRoot;
   model DrivenByInput
-    Inertia j; Speed s; input Real u;
+    Inertia j; DrivenSpeed s; input Real u;
   equation
     connect(s.f, j.a); s.w = u;
   end DrivenByInput;
   model DrivenByJump
-    Inertia j; Speed s;
+    Inertia j; DrivenSpeed s;
   equation
     connect(s.f, j.a); s.w = if time > 0.5 then 1 else 0;
   end DrivenByJump;
   model DrivenBySign
-    Inertia j; Speed s;
+    Inertia j; DrivenAngle s;
   equation
     connect(s.f, j.a); s.phi = sign(sin(time));
   end DrivenBySign;
@@ -263,4 +263,14 @@ package WrongModels "Models that an engineer gets wrong, each in one way; test_w
   equation
     a = 1; b = 2; a = c; c = b;
   end TwoValues;
+  model DrivenSpeed "Takes the speed from outside"
+    Flange f; Real phi; input Real w;
+  equation
+    phi = f.phi; w = der(phi);
+  end DrivenSpeed;
+  model DrivenAngle "Takes the angle from outside"
+    Flange f; input Real phi;
+  equation
+    phi = f.phi;
+  end DrivenAngle;
 end WrongModels;

@@ -12,7 +12,7 @@ CIRCUIT = """model Circuit
   model Branch
     parameter Real R = 1;
     parameter Real L = 1;
-    Real i(start = 1), v;
+    Real i(start = 1); input Real v;
   equation
     v = R * i + L * der(i);
   end Branch;
