@@ -15,20 +15,40 @@ LIMITS = {
     "Hydraulics.Examples.OrificeFlow": 1e-3,
     "Hydraulics.Examples.SpoolEdgeSweep": 1.0,
 }
-AT_REST = ("Hydraulics.Examples.SpoolBetweenStops", "Hydraulics.Examples.RegulatorBench")
+AT_REST = (
+    "Hydraulics.Examples.ClutchFilling",
+    "Hydraulics.Examples.RegulatorBench",
+    "Hydraulics.Examples.SpoolBetweenStops",
+    "Mechanics.Rotational.Examples.GearPairWindUp",
+    "Mechanics.Rotational.Examples.HelicalPlanetaryWindUp",
+    "Mechanics.Translational.Examples.ClutchPistonAtPack",
+)
 """`error` is a balance of forces that holds at rest, at the end."""
+
+
+PACKAGES = ("Signals", "Mechanics", "Hydraulics", "TenSpeed")
 
 
 def examples() -> Iterator[str]:
     """Full names of all models in packages called Examples."""
+    return (name for name in models() if ".Examples." in name)
+
+
+def components() -> Iterator[str]:
+    """Full names of all models of libraries that are not examples."""
+    return (name for name in models() if ".Examples." not in name and not name.startswith("TenSpeed."))
+
+
+def models() -> Iterator[str]:
+    """Full names of all models and blocks that are not partial."""
     library = Library(tuple(bundled_directories()))
-    for name in ("Mechanics", "Hydraulics", "TenSpeed"):
+    for name in PACKAGES:
         yield from _below(library.find(name))
 
 
 def _below(node: ClassNode) -> Iterator[str]:
     definition = node.definition
-    if ".Examples." in node.path and definition.kind == "model" and not definition.class_prefixes.partial:
+    if definition.kind in ("model", "block") and not definition.class_prefixes.partial:
         yield node.path
     for name in node.child_names():
         child = node.child(name)
@@ -46,3 +66,20 @@ def test_example(name: str) -> None:
         errors = np.abs(run.values("error"))
         worst = float(errors[-1] if name in AT_REST else np.max(errors))
         assert worst <= LIMITS.get(name, 1e-5), f"{name}: error {worst}"
+
+
+@pytest.mark.parametrize("name", list(components()))
+def test_component(name: str) -> None:
+    """Every component is balanced by itself, whatever will be connected to it."""
+    model = acausal.load(name)
+    codes = problems(model)
+    assert codes <= {"parameter.no-value", "array.unknown-size"}  # what the user must give is no fault
+
+
+def problems(model: acausal.Model) -> set[str]:
+    """Codes of what a check finds wrong."""
+    try:
+        model.check()
+    except acausal.AcausalError as error:
+        return {diagnostic.code for diagnostic in error.diagnostics}
+    return set()

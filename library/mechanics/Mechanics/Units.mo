@@ -30,6 +30,11 @@ package Units "Physical quantities of mechanics, all in SI units"
     min = 0) "Damping";
   type ContactDampingConstant = Real(final quantity = "ContactDampingConstant", final unit = "s/m", min = 0)
     "Damping of an elastic contact, relative to its elastic force";
+  type Density = Real(final quantity = "Density", final unit = "kg/m3", min = 0) "Density";
+  type Energy = Real(final quantity = "Energy", final unit = "J") "Energy";
+  type RotationalTime = Real(final quantity = "Time", final unit = "s/rad", min = 0)
+    "Inverse of an angular velocity";
+  type Area = Real(final quantity = "Area", final unit = "m2") "Area";
   type Power = Real(final quantity = "Power", final unit = "W") "Power";
   type Ratio = Real(final quantity = "Ratio", final unit = "1") "Dimensionless ratio";
   annotation(Documentation(info = "<html>

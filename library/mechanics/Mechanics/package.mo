@@ -1,6 +1,7 @@
 package Mechanics "One-dimensional rotation and translation"
   annotation(
     version = "0.1.0",
+    uses(Signals(version = "0.1.0")),
     Documentation(info = "<html>
 <p>Rotational and translational components with two connectors: <code>Rotational.Interfaces.Flange</code>
 (angle <code>phi</code>, torque <code>tau</code>) and <code>Translational.Interfaces.Flange</code> (position

@@ -1,0 +1,27 @@
+within Mechanics.Functions;
+function backlashTorque "Torque between two shafts with play, which touch on either side"
+  input Units.Angle phi "Relative angle from the middle of the play";
+  input Units.AngularVelocity w "Relative speed";
+  input Units.Angle b "Total play, from contact on one side to contact on the other";
+  input Units.RotationalSpringConstant c "Stiffness in contact";
+  input Units.RotationalDampingConstant d "Damping in contact";
+  input Units.Angle depth "Wind-up over which the damping builds up";
+  output Units.Torque tau "Torque against the relative angle: positive for positive contact";
+protected
+  Units.Angle forward "Wind-up of the contact at positive relative angle";
+  Units.Angle backward "Wind-up of the contact at negative relative angle";
+algorithm
+  forward := phi - b/2;
+  backward := -phi - b/2;
+  tau := smooth(0, noEvent(
+    if forward > 0 then max(0, c*forward + smoothStep(forward/depth)*d*w)
+    else if backward > 0 then -max(0, c*backward - smoothStep(backward/depth)*d*w)
+    else 0));
+  annotation(
+    Inline = true,
+    smoothOrder = 0,
+    Documentation(info = "<html>
+<p>As <code>backlashForce</code>, for rotation: tau = max(0, c psi + d smoothStep(psi / depth) w) with psi = phi - b/2
+in contact at positive angle, its mirror image at negative angle, zero between.</p>
+</html>"));
+end backlashTorque;

@@ -1,0 +1,22 @@
+within Mechanics.Rotational.Components;
+model ElasticBacklash "Elastic, damped coupling of two shafts with play"
+  extends Interfaces.PartialCompliantWithSpeed;
+  parameter Units.RotationalSpringConstant c "Stiffness in contact";
+  parameter Units.RotationalDampingConstant d = 0 "Damping in contact";
+  parameter Units.Angle b(min = 0) = 0 "Total play";
+  parameter Units.Angle depth(min = 1e-12) = 1e-5
+    "Wind-up over which the damping builds up; chosen: small against the wind-up under load";
+  Units.Power lossPower "Power turned into heat";
+protected
+  Units.Torque tau_c "Elastic part of the torque";
+equation
+  // Contact on one side, on the other, or on none
+  tau = Functions.backlashTorque(phi_rel, w_rel, b, c, d, depth);
+  // Energy
+  tau_c = Functions.backlashTorque(phi_rel, 0, b, c, 0, depth);
+  lossPower = (tau - tau_c)*w_rel;
+  annotation(Documentation(info = "<html>
+<p>tau = 0 within the play, c (phi_rel &plusmn; b/2) plus damping beyond it, never pulling a contact together. The
+torque is continuous and makes no event.</p>
+</html>"));
+end ElasticBacklash;
