@@ -104,7 +104,7 @@ def plot(result: Plottable, names: Sequence[str] | None = None, path: str | Path
         if i == len(panels) - 1:
             axes.set_xlabel("time [s]")
     if path is not None:
-        _write(figure, Path(path))
+        write_figure(figure, Path(path))
     return figure
 
 
@@ -116,7 +116,7 @@ def bars(names: Sequence[str], values: Sequence[float], label: str, path: Path) 
     axes.barh(range(len(names)), values, color=COLOURS[0])
     axes.set_yticks(range(len(names)), [_plain(name) for name in names])
     axes.set_xlabel(label)
-    _write(figure, path)
+    write_figure(figure, path)
 
 
 def _curve(result: Plottable, name: str) -> _Curve:
@@ -147,7 +147,8 @@ def _plain(text: str) -> str:
     return f" {escaped}" if escaped.startswith("_") else escaped
 
 
-def _write(figure: Figure, path: Path) -> None:
+def write_figure(figure: Figure, path: Path) -> None:
+    """PNG, SVG or PDF by the file name, without dates. Raises UsageProblem `plot.format`."""
     kind = _FORMATS.get(path.suffix.lower())
     if kind is None:
         raise fail(

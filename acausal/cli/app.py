@@ -237,3 +237,21 @@ def simulate(
         events=events,
     )
     run_simulate(target, settings, as_json=json)
+
+
+@app.command(short_help="Read figures off a stored result.")
+def metrics(
+    result: Annotated[Path, typer.Argument(metavar="RESULT", help="A CSV that `acausal simulate -o` wrote.")],
+    kind: Annotated[str, typer.Option(metavar="KIND", help="What to measure: shift.")] = "shift",
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw what was measured as PNG, SVG or PDF.")
+    ] = None,
+    json: _Json = False,
+) -> None:
+    """Measure every gear shift: torque hole, overshoot, settling time, torque and inertia phase.
+
+    The result must hold `gear`, `outputTorque`, and `slip_X` and `torque_X` of every friction element X.
+    """
+    from acausal.cli.metrics import run_metrics
+
+    run_metrics(result, kind, plot, as_json=json)
