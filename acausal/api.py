@@ -36,6 +36,8 @@ from acausal.symbolic.parameters import order_parameters
 if (
     TYPE_CHECKING
 ):  # CasADi, SUNDIALS and xarray take a second to import, and checking a model needs none of them
+    from acausal.analysis.linearize import At
+    from acausal.analysis.snapshot import Snapshot
     from acausal.codegen.functions import Code
     from acausal.explain.explanation import Explanation
     from acausal.simulate.inputs import InputValue
@@ -216,6 +218,22 @@ class CompiledModel:
             start=start,
             inputs=inputs,
         )
+
+    def linearize(
+        self,
+        at: At = "initial",
+        *,
+        parameters: Mapping[str, Override] | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, InputValue] | None = None,
+    ) -> Snapshot:
+        """A, B, C, D, eigenvalues and modes at the start, at the steady state near it, or `at` seconds.
+
+        See `acausal.analysis.linearize.linearize`, also for what is raised.
+        """
+        from acausal.analysis.linearize import linearize
+
+        return linearize(self.code, at, parameters=parameters, start=start, inputs=inputs)
 
     def jacobian(
         self,

@@ -1,0 +1,106 @@
+"""Eigenvalues, clusters and participation against closed forms."""
+
+from __future__ import annotations
+
+from math import inf, pi
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from acausal.analysis.modes import Modes, modes
+
+Matrix = NDArray[np.float64]
+
+
+def chain(n: int, c: float, m: float, free: bool = False) -> Matrix:
+    """n equal masses and springs; one end held, or none."""
+    stiffness = 2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
+    stiffness[-1, -1] = 1
+    if free:
+        stiffness[0, 0] = 1
+    zero, one = np.zeros((n, n)), np.eye(n)
+    return np.block([[zero, one], [-stiffness * c / m, zero]])
+
+
+def test_spring_mass_chain() -> None:
+    n, c, m = 15, 3e4, 0.02
+    found = modes(chain(n, c, m)).eigenvalues
+    exact = 2 * np.sqrt(c / m) * np.sin((2 * np.arange(1, n + 1) - 1) * pi / (2 * (2 * n + 1)))
+    np.testing.assert_allclose(found.imag[::2], exact, rtol=1e-10)
+    np.testing.assert_allclose(found.imag[1::2], -exact, rtol=1e-10)
+    np.testing.assert_allclose(found.real, 0, atol=1e-9 * exact.max())
+
+
+def test_free_body_is_one_defective_mode() -> None:
+    found = modes(chain(4, 1e6, 0.1, free=True))
+    body = found.modes[0]
+    assert (body.multiplicity, body.is_defective) == (2, True)
+    assert abs(body.eigenvalue) < 1e-9
+    assert found.condition == inf
+    np.testing.assert_allclose(body.participation, 1 / 8, atol=1e-9)  # all positions and speeds alike
+    np.testing.assert_allclose(np.abs(body.shape[:4, 0]), 0.5, atol=1e-6)  # all positions alike
+    np.testing.assert_allclose(body.shape[4:, 0], 0, atol=1e-6)
+    assert sum(mode.multiplicity for mode in found.modes) == 8
+
+
+def test_equal_eigenvalues_with_all_their_vectors_are_not_defective() -> None:
+    found = modes(np.diag([-2.0, -2.0, -2.0, -5.0]))
+    assert [(m.multiplicity, m.is_defective, m.shape.shape[1]) for m in found.modes] == [
+        (3, False, 3),
+        (1, False, 1),
+    ]
+    assert found.condition == pytest.approx(1)
+    np.testing.assert_allclose(found.modes[0].participation, [1 / 3, 1 / 3, 1 / 3, 0], atol=1e-12)
+
+
+def test_jordan_block_of_three() -> None:
+    a = -4 * np.eye(3) + np.eye(3, k=1)
+    (mode,) = modes(a).modes
+    assert (mode.multiplicity, mode.shape.shape[1]) == (3, 1)
+    assert mode.eigenvalue == pytest.approx(-4, rel=1e-12)
+
+
+def test_oscillator_figures() -> None:
+    omega, ratio = 2 * pi * 5, 0.2
+    found = modes(np.array([[0, 1], [-(omega**2), -2 * ratio * omega]]))
+    up, down = found.modes
+    assert up.frequency_hz == pytest.approx(5, rel=1e-12)
+    assert up.damping_ratio == pytest.approx(ratio, rel=1e-12)
+    assert up.time_constant == pytest.approx(1 / (ratio * omega), rel=1e-12)
+    assert up.eigenvalue.imag > 0
+    assert down.eigenvalue == pytest.approx(up.eigenvalue.conjugate())
+
+
+def test_units_of_the_states_do_not_matter() -> None:
+    rng = np.random.default_rng(3)
+    a = rng.normal(size=(6, 6))
+    scale = np.array([1e-9, 1e6, 1, 1e-3, 1e4, 1e8])
+    plain, scaled = modes(a), modes(a * scale[:, None] / scale, scale)
+    np.testing.assert_allclose(plain.eigenvalues, scaled.eigenvalues, rtol=1e-9)
+    for one, other in zip(plain.modes, scaled.modes, strict=True):
+        np.testing.assert_allclose(one.participation, other.participation, atol=1e-9)
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.integers(1, 9), st.integers(0, 2**32 - 1))
+def test_laws_of_random_matrices(n: int, seed: int) -> None:
+    a = np.random.default_rng(seed).normal(size=(n, n))
+    found: Modes = modes(a)
+    assert len(found.eigenvalues) == n
+    np.testing.assert_allclose(found.eigenvalues.sum(), np.trace(a), atol=1e-9)
+    for mode in found.modes:
+        assert mode.participation.sum() == pytest.approx(1)
+        if mode.multiplicity == 1:
+            np.testing.assert_allclose(a @ mode.shape, mode.eigenvalue * mode.shape, atol=1e-8)
+
+
+def test_a_matrix_that_is_not_finite_is_refused() -> None:
+    with pytest.raises(ValueError, match="finite"):
+        modes(np.array([[np.nan]]))
+
+
+def test_no_states() -> None:
+    assert modes(np.zeros((0, 0))).modes == ()
