@@ -191,7 +191,7 @@ def _deferred(
     shapes = [value.shape or None for value in plain]
     items_in = [item for value in plain for item in value.items]
     template = tuple([item.value if item.is_const else None for item in items_in])
-    args = [item for item in items_in if not item.is_const]
+    args = tuple([item for item in items_in if not item.is_const])
     found: dict[int, AnyValue] = {}
     for position, target in written.items():
         if frame.entries[target].clause.causality != "output":
@@ -200,7 +200,7 @@ def _deferred(
         result = old.type.name if old.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
         shown = f"{frame.scope.path}.{target}"
         make = caller(name, shapes, template, position, result, shown)
-        items = tuple([ex.call(make(k), *args) for k in range(len(old.items))])
+        items = ex.calls([make(k) for k in range(len(old.items))], args)
         found[position] = Value(old.type, old.shape, items)
     return found
 

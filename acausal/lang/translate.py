@@ -165,7 +165,7 @@ class Translator(Budget):
 
     def decide_discrete(self, condition: Expr) -> bool | None:
         """As `decide`, if the condition depends on Integer, Boolean and enumeration parameters only."""
-        for name in ex.symbols([condition]):
+        for name in ex.each_symbol([condition]):
             leaf = self.leaves.get(name)
             if leaf is None or leaf.type == REAL or leaf.prefixes.variability > Variability.PARAMETER:
                 return None

@@ -17,7 +17,7 @@ from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose, overdetermined_subset
 from acausal.symbolic.graphs.matching import Matching, maximum_matching
 from acausal.symbolic.graphs.types import Eq, Var
-from acausal.symbolic.leaves import determined, value_leaves
+from acausal.symbolic.leaves import PresentLeaves, determined
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,13 @@ def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[
     index = {v.name: Var(i) for i, v in enumerate(unknowns)}
     rows: list[tuple[Var, ...]] = []
     derived: list[str] = []
+    leaves = PresentLeaves()
     for _, left, right in equations:
         names: dict[str, None] = {}
-        for leaf in value_leaves([left, right]):
+        for leaf in leaves([left, right]):
             if leaf.op == "sym":
                 names[leaf.name] = None
-            elif leaf.op == "der":
+            else:
                 inner = symbols([leaf])
                 derived += inner
                 names.update(dict.fromkeys(inner))

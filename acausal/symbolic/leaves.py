@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.lang.flat import Causality, FlatModel, Variability, Variable
@@ -46,16 +46,82 @@ def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
         if node in seen:
             continue
         seen.add(node)
-        op = node.op
-        if op in ("sym", "der", "pre"):
+        if node.op in ("sym", "der", "pre"):
             found[node] = None
-        elif op == "if":
-            stack.extend((node.args[2], node.args[1]))
-        elif op == "homotopy":
-            stack.append(node.args[0])
-        elif op not in _CLOSED:
-            stack.extend(reversed(parts(node)))
+        else:
+            stack.extend(reversed(_held(node)))
     return tuple(found)
+
+
+def _held(node: Expr) -> tuple[Expr, ...]:
+    """The arguments that an equation could be solved through."""
+    op = node.op
+    if op == "if":
+        return node.args[1:]
+    if op == "homotopy":
+        return node.args[:1]
+    return () if op in _CLOSED else parts(node)
+
+
+class PresentLeaves:
+    """`value_leaves` without those under `pre`, for equations that share large parts.
+
+    What holds few leaves is visited once for all equations, and so are arguments that calls share.
+    """
+
+    def __init__(self) -> None:
+        self._few: dict[Expr, tuple[Expr, ...] | None] = {}
+        self._joined: dict[int, tuple[Expr, ...] | None] = {}
+        """By the identity of arguments, which the nodes in `_few` keep alive."""
+
+    def __call__(self, roots: Sequence[Expr]) -> tuple[Expr, ...]:
+        """The leaves below `roots`, in order of appearance."""
+        found: dict[Expr, None] = {}
+        seen: set[Expr] = set()
+        stack = [*reversed(roots)]
+        while stack:
+            node = stack.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            few = self._leaves(node)
+            if few is None:
+                stack.extend(reversed(_held(node)))
+            else:
+                found.update(dict.fromkeys(few))
+        return tuple(found)
+
+    def _leaves(self, root: Expr) -> tuple[Expr, ...] | None:
+        """The leaves below a node; None if they are many."""
+        known = self._few
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            if node in known:
+                stack.pop()
+            elif node.op in ("sym", "der", "pre"):
+                known[node] = () if node.op == "pre" else (node,)
+            elif id(node.args) in self._joined and node.op == "call":
+                known[node] = self._joined[id(node.args)]
+            else:
+                held = _held(node)
+                missing = [part for part in held if part not in known]
+                if missing:
+                    stack.extend(reversed(missing))
+                    continue
+                known[node] = self._join(held)
+                if node.op == "call":
+                    self._joined[id(node.args)] = known[node]
+        return known[root]
+
+    def _join(self, held: Sequence[Expr]) -> tuple[Expr, ...] | None:
+        found: dict[Expr, None] = {}
+        for part in held:
+            few = self._few[part]
+            if few is None or len(found) > _FEW:
+                return None
+            found.update(dict.fromkeys(few))
+        return tuple(found) if len(found) <= _FEW else None
 
 
 def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
@@ -75,6 +141,9 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
             stack.extend(reversed(parts(node)))
     return tuple(found)
 
+
+_FEW = 4
+"""How many leaves are noted at every node above them."""
 
 _CLOSED = RELATIONS | KNOWN_AT_EVENTS | {"integer"}
 

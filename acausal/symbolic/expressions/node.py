@@ -5,7 +5,7 @@ Expressions know no model: a variable is a symbol with a name; what the name mea
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import isnan
 from typing import TYPE_CHECKING
@@ -104,9 +104,18 @@ def make(op: str, args: tuple[Expr, ...] = (), value: Constant | None = None) ->
 
 def call(kernel: Kernel, *args: Expr) -> Expr:
     """The call of a kernel; equal kernels with equal arguments give one node."""
+    return _call(kernel, args)
+
+
+def _call(kernel: Kernel, args: tuple[Expr, ...]) -> Expr:
     node = make("call", args, kernel.key)
     node.kernel = kernel
     return node
+
+
+def calls(kernels: Iterable[Kernel], args: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Calls of several kernels with the same arguments, which they share."""
+    return tuple([_call(kernel, args) for kernel in kernels])
 
 
 def const(value: Constant) -> Expr:

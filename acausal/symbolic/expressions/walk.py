@@ -122,4 +122,9 @@ def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
 
 def symbols(roots: Iterable[Expr]) -> tuple[str, ...]:
     """Names of all symbols below `roots` (also inside `der`), in order of first appearance."""
-    return tuple(dict.fromkeys(node.name for node in postorder(roots) if node.op == "sym"))
+    return tuple(dict.fromkeys(each_symbol(roots)))
+
+
+def each_symbol(roots: Iterable[Expr]) -> Iterator[str]:
+    """As `symbols`, one after the other: whoever needs the first ones only does not walk the rest."""
+    return (node.name for node in postorder(roots) if node.op == "sym")
