@@ -27,6 +27,9 @@ class Typing:
     at_event: bool = False
     """Where every variable is discrete: in when-clauses, algorithms and initial equations, asked last."""
     memo: dict[Expr, Kind] = field(default_factory=lambda: {TIME: REAL_CONTINUOUS})
+    shared: dict[int, list[Kind]] = field(default_factory=dict[int, "list[Kind]"])
+    """Kinds of the arguments of calls."""
+    calls: dict[tuple[int, str], Kind] = field(default_factory=dict[tuple[int, str], Kind])
     equalities: dict[Expr, None] = field(default_factory=dict[Expr, None])
     """Comparisons of Reals by `==` or `<>` that may raise events."""
     searched: set[Expr] = field(default_factory=set[Expr])
@@ -35,7 +38,7 @@ class Typing:
         """The kind of an expression that stands in the model; raises `TypeMistake`."""
         found = self.memo.get(root)
         if found is None:
-            found = fold([root], self.visit, self.memo)[root]
+            found = fold([root], self.visit, self.memo, self.shared)[root]
         if self.equalities:
             self.refuse_equalities(root)
         return found
@@ -44,7 +47,7 @@ class Typing:
         """The kind of a node from those of its arguments."""
         if node.op == "sym":
             return self.symbol(node)
-        result = kind_of(node, args)
+        result = self.call(node, args) if node.op == "call" else kind_of(node, args)
         if node.op in EQUALITIES and REAL in (args[0].type, args[1].type):
             if result.raw > Variability.PARAMETER and not _is_change(node):
                 self.equalities[node] = None
@@ -52,6 +55,15 @@ class Typing:
             message = f"pre needs a discrete variable, but {short_text(node.args[0])} is continuous"
             raise TypeMistake("type.pre", message, node)
         return result
+
+    def call(self, node: Expr, args: list[Kind]) -> Kind:
+        """The kind of a call; those of one function with the same arguments have one kind."""
+        key = (id(node.args), node.kernel.result)
+        if len(args) != node.kernel.arity or id(node.args) not in self.shared:
+            return kind_of(node, args)
+        if key not in self.calls:
+            self.calls[key] = kind_of(node, args)
+        return self.calls[key]
 
     def symbol(self, node: Expr) -> Kind:
         """The kind of a variable or parameter."""

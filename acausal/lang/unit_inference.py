@@ -64,6 +64,7 @@ class Inference:
     """
 
     memo: dict[Expr, Measure] = field(default_factory=_memo_of_time)
+    shared: dict[int, list[Measure]] = field(default_factory=dict[int, "list[Measure]"])
     clashes: list[Clash] = field(default_factory=list[Clash])
     arguments: list[tuple[str, Expr, Unit]] = field(default_factory=list[tuple[str, Expr, Unit]])
 
@@ -71,7 +72,7 @@ class Inference:
     """Units that functions declare of their results."""
 
     def measure(self, root: Expr) -> Measure:
-        return fold([root], self.visit, self.memo)[root]
+        return fold([root], self.visit, self.memo, self.shared)[root]
 
     def visit(self, node: Expr, args: list[Measure]) -> Measure:
         found = self._found(node, args)

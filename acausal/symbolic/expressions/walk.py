@@ -32,11 +32,15 @@ def postorder(roots: Iterable[Expr]) -> Iterator[Expr]:
 
 
 def fold(
-    roots: Iterable[Expr], visit: Callable[[Expr, list[_T]], _T], memo: dict[Expr, _T] | None = None
+    roots: Iterable[Expr],
+    visit: Callable[[Expr, list[_T]], _T],
+    memo: dict[Expr, _T] | None = None,
+    shared: dict[int, list[_T]] | None = None,
 ) -> dict[Expr, _T]:
     """Value of every node below `roots`: `visit(node, values of its args)`, each node once.
 
-    `memo` may be passed to share results between calls and to preset the values of nodes.
+    `memo` may be passed to share results between calls and to preset the values of nodes; with it `shared`,
+    the values of arguments that several calls have in common, by the identity of these arguments.
     """
     values: dict[Expr, _T] = {} if memo is None else memo
     for root in roots:
@@ -51,13 +55,19 @@ def fold(
             if not args:
                 values[node] = visit(node, [])
                 continue
+            if shared is not None and node.op == "call" and id(args) in shared:
+                values[node] = visit(node, shared[id(args)])
+                continue
             missing = [arg for arg in args if arg not in values]
             if missing:
                 missing.reverse()
                 stack.append(node)
                 stack.extend(missing)
-            else:
-                values[node] = visit(node, [values[arg] for arg in args])
+                continue
+            given = [values[arg] for arg in args]
+            values[node] = visit(node, given)
+            if shared is not None and node.op == "call":
+                shared[id(args)] = given
     return values
 
 
