@@ -251,5 +251,6 @@ def _choose_values(condition: Expr, then: AnyValue, otherwise: AnyValue, span: S
             f"the branches of this `if` have different sizes: {describe(a)} and {describe(b)}",
             span,
         )
-    items = [ex.if_then_else(condition, x, y) for x, y in zip(a.items, b.items, strict=True)]
+    pairs = zip(a.items, b.items, strict=True)
+    items = [x if x is y else ex.if_then_else(condition, x, y) for x, y in pairs]
     return Value(type_, a.shape, tuple(items))

@@ -85,9 +85,11 @@ def _forget(entry: _Entry) -> None:
         del _table[entry.key]
 
 
-def make(op: str, args: tuple[Expr, ...] = (), value: Constant | None = None) -> Expr:
-    """The unique node with these parts, without any simplification."""
-    key = (op, args, value, value.__class__) if op == "const" else (op, args, value)
+def make(
+    op: str, args: tuple[Expr, ...] = (), value: Constant | None = None, shared: _Wide | None = None
+) -> Expr:
+    """The unique node with these parts, without any simplification; `shared` stands for `args` in its key."""
+    key = (op, args, value, value.__class__) if op == "const" else (op, shared or args, value)
     known = _table.get(key)
     if known is not None:
         found = known()
@@ -104,18 +106,42 @@ def make(op: str, args: tuple[Expr, ...] = (), value: Constant | None = None) ->
 
 def call(kernel: Kernel, *args: Expr) -> Expr:
     """The call of a kernel; equal kernels with equal arguments give one node."""
-    return _call(kernel, args)
+    return _call(kernel, args, _key_of(args))
 
 
-def _call(kernel: Kernel, args: tuple[Expr, ...]) -> Expr:
-    node = make("call", args, kernel.key)
+def _call(kernel: Kernel, args: tuple[Expr, ...], shared: _Wide | None) -> Expr:
+    node = make("call", args, kernel.key, shared)
     node.kernel = kernel
     return node
 
 
+class _Wide:
+    """Many arguments, hashed once: whole arrays are handed to kernels, one for each element of the result."""
+
+    __slots__ = ("args", "code")
+
+    def __init__(self, args: tuple[Expr, ...]) -> None:
+        self.args = args
+        self.code = hash(args)
+
+    def __hash__(self) -> int:
+        return self.code
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, _Wide) and self.args == other.args)
+
+
+_WIDE = 16
+
+
+def _key_of(args: tuple[Expr, ...]) -> _Wide | None:
+    return None if len(args) < _WIDE else _Wide(args)
+
+
 def calls(kernels: Iterable[Kernel], args: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Calls of several kernels with the same arguments, which they share."""
-    return tuple([_call(kernel, args) for kernel in kernels])
+    shared = _key_of(args)
+    return tuple([_call(kernel, args, shared) for kernel in kernels])
 
 
 def const(value: Constant) -> Expr:
