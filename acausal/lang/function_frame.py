@@ -23,8 +23,8 @@ from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, assig
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
-MAX_STEPS = 50_000
-"""Statements that one run of an algorithm section may take."""
+MAX_STEPS = 10_000
+"""Statements that one run of an algorithm section may take: what it makes of them are equations."""
 _MAX_ELEMENTS = 200_000
 _MAX_LEVELS = 50
 
