@@ -39,7 +39,7 @@ def linearize(
 
     Modes and discrete values are frozen as they are there. Raises `InitializationProblem`,
     `SimulationProblem`, and `UsageProblem` `linearize.dynamic-states` for a model whose choice of states
-    changes during a run.
+    changes during a run, and `linearize.at` for what is no instant of a run.
     """
     if code.system.dynamic is not None:
         raise fail(
@@ -50,7 +50,7 @@ def linearize(
             hint="choose states with stateSelect, or write it in coordinates that are valid everywhere",
         )
     began = code.system.flat.experiment.start_time or 0.0
-    until = max(began, float(at)) if not isinstance(at, str) else began
+    until = _instant(at, began)
     point = initialize(code, began, parameters, start, inputs, until)
     evaluator = point.evaluator
     evaluator.at(began, point.x)
@@ -71,6 +71,17 @@ def linearize(
         evaluator.at(began, steady_state(evaluator).x)
     evaluator.settle()
     return _snapshot(evaluator)
+
+
+def _instant(at: At, began: float) -> float:
+    """When the snapshot is taken. Raises UsageProblem `linearize.at` for what is no instant of a run."""
+    if isinstance(at, str):
+        if at in ("initial", "steady"):
+            return began
+    elif began <= at < float("inf"):
+        return float(at)
+    hint = f"give `initial`, `steady`, or seconds from {began:g} on"
+    raise fail(UsageProblem, "linearize.at", f"`{at}` is no instant of a run", hint=hint)
 
 
 def _snapshot(evaluator: Evaluator) -> Snapshot:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import acausal
+from acausal.analysis.linearize import At
 from acausal.errors import UsageProblem
 
 CHAIN = """model Chain
@@ -90,3 +91,9 @@ def test_changing_states_are_refused() -> None:
       der(x) = u; der(y) = v; der(u) = -T*x; der(v) = -T*y - 9.81; x^2 + y^2 = 1; end P;"""
     with pytest.raises(UsageProblem, match="choice of states"):
         acausal.loads(text).compile().linearize()
+
+
+@pytest.mark.parametrize("at", [-1.0, float("nan"), float("inf"), "later"])
+def test_what_is_no_instant_is_refused(at: At) -> None:
+    with pytest.raises(UsageProblem, match="no instant"):
+        acausal.loads(ROTOR).compile().linearize(at)
