@@ -10,6 +10,7 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
     "Spring force at position 0; chosen: at 3 bar of pilot and 2 to 40 l/min the line stands at 8.7 to 11.5 bar";
   parameter Units.Coefficient dampingRatio = 0.05
     "Damping of spool and spring, relative to critical; nominal damping factor of the study";
+  parameter Mechanics.Units.TranslationalDampingConstant d_spool = 2*dampingRatio*sqrt(c*m) "Damping";
   parameter Mechanics.Units.Position s_max = 5e-3 "Position of the upper end stop; chosen: 3.7 mm behind the last edge";
   // Edges
   parameter Units.Diameter d = 14e-3 "Diameter of the spool at its edges; chosen: usual for main regulators";
@@ -19,6 +20,8 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
   parameter Mechanics.Units.Length overlapConverter = 0.5e-3 "Overlap of the converter edge; chosen: opens first";
   parameter Mechanics.Units.Length overlapLubrication = 0.9e-3 "Overlap of the lubrication edge; chosen: opens second";
   parameter Mechanics.Units.Length overlapSuction = 1.3e-3 "Overlap of the suction edge; chosen: opens last";
+  parameter Mechanics.Units.Angle jetAngle = 1.2042771838760873 "Angle of the jets to the axis; von Mises: 69 degrees";
+  parameter Boolean hasFlowForce = true "true: the jets pull their edges shut" annotation(Evaluate = true);
   // Chambers
   parameter Units.Area A_feedback = 50e-6 "Area of the feedback land; chosen: 50 N at 10 bar";
   parameter Units.Area A_pilot = 50e-6 "Area of the pilot land; chosen: 1 bar of pilot raises the line by 1 bar";
@@ -35,11 +38,15 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
   Interfaces.Port lubrication "Outlet that opens second, to lubrication";
   Interfaces.Port suction "Outlet that opens last, back to the pump's inlet";
   // Parts
-  Components.Spool spool(
+  replaceable model SpoolModel = Components.Spool constrainedby Interfaces.PartialSpool "Law of motion"
+    annotation(choicesAllMatching = true);
+  replaceable model Chamber = Components.SpoolChamber constrainedby Interfaces.PartialSpoolChamber
+    "Whether the spool displaces oil in its chambers" annotation(choicesAllMatching = true);
+  SpoolModel spool(
     final m = m,
     final c = c,
     final F_preload = F_preload,
-    final dampingRatio = dampingRatio,
+    final d = d_spool,
     final s_max = s_max) "Spool with spring and end stops";
   Components.SpoolEdge converterEdge(
     final fluid = fluid,
@@ -47,30 +54,36 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
     final d = d,
     final coverage = coverage,
     final clearance = clearance,
-    final chamfer = chamfer) "Line to converter";
+    final chamfer = chamfer,
+    final jetAngle = jetAngle,
+    final hasFlowForce = hasFlowForce) "Line to converter";
   Components.SpoolEdge lubricationEdge(
     final fluid = fluid,
     final overlap = overlapLubrication,
     final d = d,
     final coverage = coverage,
     final clearance = clearance,
-    final chamfer = chamfer) "Line to lubrication";
+    final chamfer = chamfer,
+    final jetAngle = jetAngle,
+    final hasFlowForce = hasFlowForce) "Line to lubrication";
   Components.SpoolEdge suctionEdge(
     final fluid = fluid,
     final overlap = overlapSuction,
     final d = d,
     final coverage = coverage,
     final clearance = clearance,
-    final chamfer = chamfer) "Line to the pump's inlet";
+    final chamfer = chamfer,
+    final jetAngle = jetAngle,
+    final hasFlowForce = hasFlowForce) "Line to the pump's inlet";
   Components.Orifice feedbackOrifice(final fluid = fluid, final d = d_feedback) "Damps the feedback";
-  Components.SpoolChamber feedbackChamber(
+  Chamber feedbackChamber(
     final fluid = fluid,
     final p_start = p_start,
     final pushes = Types.Direction.Positive,
     final A = A_feedback,
     final V_0 = V_feedback) "Opens the valve";
   Components.Orifice pilotOrifice(final fluid = fluid, final d = d_pilot) "Damps the pilot";
-  Components.SpoolChamber pilotChamber(
+  Chamber pilotChamber(
     final fluid = fluid,
     final p_start = p_start,
     final pushes = Types.Direction.Negative,

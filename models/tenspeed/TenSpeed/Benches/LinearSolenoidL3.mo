@@ -1,0 +1,9 @@
+within TenSpeed.Benches;
+model LinearSolenoidL3 "Linear solenoid valve at level 3: pressure over current, in steps up and down"
+  extends Interfaces.SolenoidBench(redeclare model Valve = Valves.Levels.LinearSolenoidL3);
+  annotation(
+    experiment(StopTime = 4.2, Tolerance = 1e-6, Interval = 1e-3),
+    Documentation(info = "<html>
+<p>3 states.</p>
+</html>"));
+end LinearSolenoidL3;

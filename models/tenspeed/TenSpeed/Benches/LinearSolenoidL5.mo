@@ -1,0 +1,9 @@
+within TenSpeed.Benches;
+model LinearSolenoidL5 "Linear solenoid valve at level 5: pressure over current, in steps up and down"
+  extends Interfaces.SolenoidBench(redeclare model Valve = Valves.Levels.LinearSolenoidL5);
+  annotation(
+    experiment(StopTime = 4.2, Tolerance = 1e-6, Interval = 1e-3),
+    Documentation(info = "<html>
+<p>No state.</p>
+</html>"));
+end LinearSolenoidL5;
