@@ -83,7 +83,7 @@ def steady_state(evaluator: Evaluator) -> Steady:
 
 def _jacobian(evaluator: Evaluator) -> Vector:
     evaluator.jac()
-    pattern = evaluator.code.jac.sparsity_out(0)
+    pattern = evaluator.code.pattern
     n = len(evaluator.x)
     dense = np.zeros((n, n))
     dense[pattern.row(), pattern.get_col()] = evaluator.jacobian

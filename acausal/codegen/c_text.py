@@ -35,16 +35,20 @@ def time_rates(code: Code) -> Function | None:
 
 
 def run_functions(code: Code) -> dict[str, Function]:
-    """What an integrator calls, by the run-time's names; those without results are left out."""
+    """What an integrator calls, by the run-time's names; those without results are left out.
+
+    `jac` gives the rates too, as `Quick.slopes`, and `derivative` is left out, unless `Code` has no slopes.
+    """
+    quick = code.quick
     found = {
-        "ode": code.ode,
-        "jac": code.jac,
+        "ode": quick.ode or code.ode,
+        "jac": quick.slopes or code.jac,
         "events": code.events,
         "scales": code.sizes,
         "output": code.outputs,
         "assertions": code.conditions,
     }
-    rates = time_rates(code)
+    rates = time_rates(code) if quick.slopes is None else None
     if rates is not None:
         found["derivative"] = rates
     return {name: f for name, f in found.items() if any(f.nnz_out(i) for i in range(f.n_out()))}

@@ -22,12 +22,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import casadi as ca
-from casadi import Function
+from casadi import MX, Function, Sparsity
 
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
 from acausal.codegen.constants import function_of_parameters, parameter_function
 from acausal.codegen.discrete import DiscreteCode, discrete_code
 from acausal.codegen.program import Program
+from acausal.codegen.quick import Quick, quick
 from acausal.codegen.scope import Scope
 from acausal.codegen.segments import reads
 from acausal.codegen.solvers import Nominals
@@ -84,8 +85,6 @@ class Code:
     """`p -> (x, z)`: nominal values of the states and of the tearing variables."""
     ode: Function
     """`(t, x, p, m, u, d, z) -> (xdot, z_out)`; `z` is a guess."""
-    jac: Function
-    """`(t, x, p, m, u, d, z) -> J`, the sparse exact d xdot / d x; `z` is a guess."""
     outputs: Function
     """`(t, x, p, m, u, d, z) -> y`: the values in `output_leaves` order."""
     events: Function
@@ -102,6 +101,29 @@ class Code:
     checks: Checks
 
     @cached_property
+    def jac(self) -> Function:
+        """`(t, x, p, m, u, d, z) -> J`, the sparse exact d xdot / d x; `z` is a guess."""
+        return _jacobian(self.ode)
+
+    @cached_property
+    def quick(self) -> Quick:
+        """What integrators call where it is quicker than `ode` and `jac`."""
+        return quick(self.dynamic, tuple(der(state) for state in state_leaves(self.system)))
+
+    @cached_property
+    def fitting_jac(self) -> Function:
+        """`jac` with its entries in the places of `pattern`."""
+        inputs = [MX.sym(name, *self.ode.size_in(i)) for i, name in enumerate(self.ode.name_in())]
+        matrix = ca.project(self.jac.call(inputs)[0], self.pattern)
+        return Function("fitting_jacobian", inputs, [matrix], self.ode.name_in(), ["J"], FORWARD)
+
+    @cached_property
+    def pattern(self) -> Sparsity:
+        """Where d xdot / d x has entries."""
+        slopes = self.quick.slopes
+        return self.jac.sparsity_out(0) if slopes is None else slopes.sparsity_out(0)
+
+    @cached_property
     def output_leaves(self) -> tuple[Expr, ...]:
         """States, inputs, every unknown of the blocks, discrete variables: what `outputs` returns."""
         return output_leaves(self.system)
@@ -112,7 +134,8 @@ class Code:
 
     def describe(self) -> str:
         """One line per Function: its inputs and outputs with their sizes, and its number of instructions."""
-        functions = (self.ode, self.jac, self.outputs, self.events, self.sizes, self.conditions)
+        derivatives, slopes = self.quick.ode or self.ode, self.quick.slopes or self.jac
+        functions = (derivatives, slopes, self.outputs, self.events, self.sizes, self.conditions)
         return "\n".join(map(_described, functions))
 
 
@@ -175,7 +198,6 @@ def generate(system: CausalSystem) -> Code:
         given_inputs=function_of_parameters("given_inputs", parameters, [("u", given)]),
         nominals=_nominal_function(parameters, nominals, states, dynamic.guesses),
         ode=ode,
-        jac=_jacobian(ode),
         outputs=stitching.function("outputs", Goal("y", output_leaves(system))),
         events=stitching.function("events", Goal("root", roots)),
         sizes=stitching.function("sizes", Goal("size", sizes)),

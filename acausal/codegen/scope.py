@@ -6,14 +6,14 @@ assignments before it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, SWITCHING, Converter, jacobian
-from acausal.codegen.linear import solve_small, solve_switching, term_sizes
-from acausal.codegen.segments import expressions, is_implicit, reads
+from acausal.codegen.linear import solve_orthogonal, solve_small, solve_switching, term_sizes
+from acausal.codegen.segments import INLINE_LINEAR, expressions, is_implicit, reads
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr
 
@@ -47,13 +47,13 @@ class Scope:
         """The values of `roots` as one column."""
         return column([self.convert(root, literal) for root in roots])
 
-    def run(self, blocks: Iterable[Block]) -> None:
+    def run(self, blocks: Iterable[Block], implicit: Callable[[Block], bool] = is_implicit) -> None:
         """Solves explicit and small linear blocks in order; their unknowns become leaves.
 
-        Of an implicit block the tearing variables must be leaves already.
+        Of a block that is `implicit` the tearing variables must be leaves already.
         """
         for block in blocks:
-            if block.kind is BlockKind.LINEAR and not is_implicit(block):
+            if block.kind is BlockKind.LINEAR and not implicit(block):
                 self._run_linear(block)
             else:
                 for assignment in block.assignments:
@@ -70,11 +70,12 @@ class Scope:
         zero = SX.zeros(z.shape[0], 1)
         at_zero = Function("residual", [z, u], [residual]).call([zero, u])[0]
         matrix = jacobian(residual, z)
-        solution = (
-            solve_switching(matrix, -at_zero, term_sizes(at_zero, u))
-            if len(block.tearing) == 1
-            else column(solve_small(matrix, -at_zero))
-        )
+        if len(block.tearing) == 1:
+            solution = solve_switching(matrix, -at_zero, term_sizes(at_zero, u))
+        elif len(block.tearing) <= INLINE_LINEAR:
+            solution = column(solve_small(matrix, -at_zero))
+        else:
+            solution = ca.densify(solve_orthogonal(matrix, -at_zero))
         values = local.column([a.value for a in block.assignments])
         solve = Function("linear", [u], [solution, *Function("rest", [z, u], [values]).call([solution, u])])
         results = solve.call([self.column(known)])

@@ -7,7 +7,7 @@ and all nonlinear ones stand alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.codegen.casadi_expressions import SWITCHING, WRAPPERS
@@ -16,6 +16,8 @@ from acausal.symbolic.expressions.expr import Expr, postorder
 
 INLINE_LINEAR = 3
 """Linear blocks with up to this many tearing variables are solved inside the expression graph."""
+QUICK_LINEAR = 12
+"""And up to this many where something else is at hand for a matrix that is singular (`codegen.quick`)."""
 
 
 _SWITCHES = frozenset({"if", "abs", "min", "max", "sign"})
@@ -45,17 +47,24 @@ def is_implicit(block: Block) -> bool:
     return len(block.tearing) > INLINE_LINEAR or (len(block.tearing) > 1 and is_switching(block))
 
 
+def needs_solver(block: Block) -> bool:
+    """Whether `block` needs a solver even if a singular matrix is somebody else's."""
+    if block.kind is BlockKind.LINEAR:
+        return len(block.tearing) > QUICK_LINEAR
+    return block.kind is BlockKind.NONLINEAR
+
+
 def is_switching(block: Block) -> bool:
     """Whether the block's equations hold an `if` or alike, so that coefficients may vanish in one branch."""
     return any(node.op in _SWITCHES for node in postorder(expressions([block])))
 
 
-def cut(blocks: Sequence[Block]) -> tuple[Segment, ...]:
-    """The segments of `blocks`, in order."""
+def cut(blocks: Sequence[Block], implicit: Callable[[Block], bool] = is_implicit) -> tuple[Segment, ...]:
+    """The segments of `blocks`, in order; `implicit` says which stand alone."""
     segments: list[Segment] = []
     run: list[Block] = []
     for block in blocks:
-        if not is_implicit(block):
+        if not implicit(block):
             run.append(block)
             continue
         if run:

@@ -62,8 +62,10 @@ typedef struct {
     double *ok;                /* conditions, 1.0 where they hold */
     ac_function ode, jac, derivative, events, scales, output, assertions;
     void (*fill)(double t);    /* writes the model's inputs at `t`; null where they are constant */
+    int (*rescue)(int what);   /* where blocks have no solution: `xdot` and `z` (0) or slopes (1) in another way */
     int autonomous;            /* `rate` is zero */
-    int exact_rate;            /* `derivative` gives `rate`; else by differences */
+    int exact_rate;            /* 1: `derivative` gives `rate`, 2: `jac` does; else by differences */
+    int takes_solution;        /* `jac` takes `z`, else `guess` */
     int settled;               /* the blocks are solved at (t, x): cleared where anything else changes */
     ac_long evaluations, jacobians;
 } ac_model;

@@ -17,6 +17,7 @@ METHODS = {
 """The methods' numbers in the run-time; all but the first step with a fixed length."""
 
 FILL = ctypes.CFUNCTYPE(None, c_double)
+RESCUE = ctypes.CFUNCTYPE(c_int, c_int)
 
 _DOUBLES, _INTS = c_void_p, c_void_p
 
@@ -70,16 +71,18 @@ class ModelStructure(Structure):
     output: FunctionStructure
     assertions: FunctionStructure
     fill: int | None
+    rescue: int | None
     autonomous: int
     exact_rate: int
+    takes_solution: int
     evaluations: int
     jacobians: int
     _fields_ = [
         *_typed("states crossings guesses outputs conditions entries", c_int),
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
-        *_pointers("fill"),
-        *_typed("autonomous exact_rate settled", c_int),
+        *_pointers("fill rescue"),
+        *_typed("autonomous exact_rate takes_solution settled", c_int),
         *_typed("evaluations jacobians", c_longlong),
     ]
 

@@ -70,7 +70,9 @@ static int solved(ac_model *m)
         m->z[0] = NAN;
     }
     if (ac_call(&m->ode) != 0 || !ac_finite(m->xdot, m->states) || !ac_finite(m->z, m->guesses)) {
-        return AC_NOT_FINITE;
+        if (ac_finite(m->z, m->guesses) || m->rescue == NULL || m->rescue(0) != 0) {
+            return AC_NOT_FINITE;
+        }
     }
     if (m->guesses > 0) {
         memcpy(m->guess, m->z, bytes(m->guesses));
@@ -119,14 +121,17 @@ int ac_matrix(ac_model *m, double t, const double *x)
     if (m->entries == 0) {
         return 0;
     }
-    m->jacobian[0] = NAN;
-    if (ac_call(&m->jac) != 0 || !ac_finite(m->jacobian, m->entries)) {
+    if (m->takes_solution && m->guesses > 0 && solved(m) != 0) {
         return AC_NOT_FINITE;
     }
-    return 0;
+    m->jacobian[0] = NAN;
+    if (ac_call(&m->jac) == 0 && ac_finite(m->jacobian, m->entries)) {
+        return 0;
+    }
+    return m->guesses > 0 && m->rescue != NULL && m->rescue(1) == 0 ? 0 : AC_NOT_FINITE;
 }
 
-/* d xdot / d t, from its function or by a difference over a small part of `span` towards its end. */
+/* d xdot / d t, right after `ac_matrix` at this point: from its function, with the matrix, or by a difference over a small part of `span` towards its end. */
 int ac_rate(ac_model *m, double t, const double *x, const double *f, double span, double *rate)
 {
     if (m->autonomous) {
@@ -134,9 +139,14 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
         return 0;
     }
     if (m->exact_rate) {
-        place(m, t, x);
-        m->rate[0] = NAN;
-        if (ac_call(&m->derivative) != 0 || !ac_finite(m->rate, m->states)) {
+        if (m->exact_rate == 1) {
+            place(m, t, x);
+            m->rate[0] = NAN;
+            if (ac_call(&m->derivative) != 0) {
+                return AC_NOT_FINITE;
+            }
+        }
+        if (!ac_finite(m->rate, m->states)) {
             return AC_NOT_FINITE;
         }
         memcpy(rate, m->rate, bytes(m->states));

@@ -99,7 +99,7 @@ class Cvode:
         self._time = -np.inf
         self._slow = 0
         self._broken: tuple[float, Vector] | None = None
-        pattern = evaluator.code.jac.sparsity_out(0)
+        pattern = evaluator.code.pattern
         rows, columns = (np.asarray(v, dtype=np.intp) for v in pattern.get_triplet())
         self._rows, self._columns = rows, columns
         self._sparse = self._size > SPARSE_FROM and len(rows) > 0

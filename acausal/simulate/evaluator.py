@@ -9,16 +9,13 @@ and modes (events, outputs, conditions) uses its solution; `codegen.stitch` give
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
-from casadi import Function
 from numpy.typing import NDArray
 
 from acausal.codegen.functions import Code, state_leaves
 from acausal.errors import SimulationProblem
 from acausal.simulate.block_solvers import Walk
+from acausal.simulate.buffered import Buffered, Robust
 from acausal.simulate.call import call
 from acausal.simulate.history import History, Sample
 from acausal.simulate.inputs import Inputs
@@ -30,42 +27,6 @@ from acausal.symbolic.expressions.expr import Expr, der
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
 _CLEAR, _REST = 1e-11, 0.1
-
-
-class Buffered:
-    """One Function evaluating from `inputs` into `outputs`; False (and not-a-number) where CasADi fails.
-
-    `before`, if given, runs first.
-    """
-
-    def __init__(
-        self, function: Function, inputs: list[Vector], before: Callable[[], object] | None = None
-    ) -> None:
-        raw: Any = function.buffer()
-        self._buffer: Any = raw[0]
-        self._evaluate: Callable[[], None] = raw[1]
-        self._before = before
-        self._inputs = inputs
-        self.outputs = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
-        for i, array in enumerate(inputs):
-            if array.size:
-                self._buffer.set_arg(i, array.data)
-        for i, array in enumerate(self.outputs):
-            if array.size:
-                self._buffer.set_res(i, array.data)
-
-    def __call__(self) -> bool:
-        if self._before is not None:
-            self._before()
-        try:
-            self._evaluate()
-            if self._buffer.ret() == 0:
-                return True
-        except RuntimeError:
-            pass
-        for array in self.outputs:
-            array.fill(np.nan)
-        return False
 
 
 class Evaluator:
@@ -92,10 +53,15 @@ class Evaluator:
         self.x_nominal = _positive(nominal[0].ravel())
         self.z_nominal = _positive(nominal[1].ravel())
         known = [self.t, self.x, self.p, self.m, self.u, self.d]
-        self.ode = Buffered(code.ode, [*known, self.guess])
+        robust, quick = Robust(code, [*known, self.guess]), code.quick
+        self.ode = Buffered(quick.ode or code.ode, [*known, self.guess], rescue=quick.ode and robust.ode)
         self.xdot, self.z = self.ode.outputs
-        self.jac = Buffered(code.jac, [*known, self.guess])
         given, before = [*known, self.z], self.solve if self.guess.size else None
+        self.jac = (
+            Buffered(code.jac, [*known, self.guess])
+            if quick.slopes is None
+            else Buffered(quick.slopes, given, before, robust.slopes if self.guess.size else None)
+        )
         self.output = Buffered(code.outputs, given, before)
         self.event = Buffered(code.events, given, before)
         self.size = Buffered(code.sizes, given, before)

@@ -90,7 +90,7 @@ class FixedStep:
         self._latest: tuple[float, Vector] | None = None
         self._steps = self._rhs = self._jacobians = 0
         self._longest = 0.0
-        rows, columns = (np.asarray(v) for v in evaluator.code.jac.sparsity_out(0).get_triplet())
+        rows, columns = (np.asarray(v) for v in evaluator.code.pattern.get_triplet())
         self._pattern = rows, columns
         rising = np.array([1.0 if op in ("gt", "ge") else -1.0 for op in operators(evaluator.code.system)])
         self._rising = rising

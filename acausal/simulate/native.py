@@ -14,32 +14,23 @@ from time import perf_counter, process_time
 import numpy as np
 from numpy.typing import NDArray
 
-from acausal.errors import AcausalError, SimulationProblem, fail
+from acausal.errors import AcausalError
 from acausal.runtime import binding
-from acausal.runtime.binding import FILL, METHODS, ModelStructure, RunTime, SolverStructure
+from acausal.runtime.binding import FILL, METHODS, RESCUE, ModelStructure, RunTime, SolverStructure
+from acausal.simulate.buffered import Robust
 from acausal.simulate.cvode import BATCH, SLOW_BATCHES
 from acausal.simulate.elimination import eliminate
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import operators
+from acausal.simulate.failures import COLLAPSED, failure
 from acausal.simulate.machine import WORTH, bound, machine_of, pointer
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, some
 from acausal.simulate.solver import Arrival, Influence, Sweep, Tolerances, Work
 
 _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""
 _CHUNK = 2**17
 """Numbers in a block of rows."""
-
-_COLLAPSED = -1000
-
-_CAUSES = {
-    _COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
-    binding.STEP_TOO_SMALL: ("simulate.step-too-small", "the error test failed with the smallest step"),
-    binding.TOO_MANY_STEPS: ("simulate.too-many-steps", "too many steps were needed"),
-    binding.SINGULAR: ("simulate.singular-step", "the matrix of an implicit step was singular"),
-    binding.NOT_FINITE: ("simulate.not-finite", "something was not a number with the smallest step too"),
-}
 
 
 @dataclass
@@ -75,8 +66,9 @@ class NativeSolver:
         self._model = ModelStructure()
         self._solver = SolverStructure()
         self._arrays: dict[str, Vector] = {}
+        self._robust: Robust | None = None
         self._operators = operators(evaluator.code.system)
-        self._elimination = eliminate(evaluator.code.jac.sparsity_out(0), evaluator.x.size)
+        self._elimination = eliminate(evaluator.code.pattern, evaluator.x.size)
         self._time, self._x = tolerances.start, evaluator.x.copy()
         self._error_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
         self._convergence_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
@@ -104,7 +96,7 @@ class NativeSolver:
         evaluator, model, memory = self._evaluator, self._model, self._memory
         code = evaluator.code
         model.states, model.crossings = evaluator.x.size, evaluator.m.size
-        model.guesses, model.entries = evaluator.guess.size, code.jac.nnz_out(0)
+        model.guesses, model.entries = evaluator.guess.size, code.pattern.nnz()
         model.outputs, model.conditions = code.outputs.nnz_out(0), code.conditions.nnz_out(0)
         sizes = {
             "t": 1,
@@ -127,8 +119,16 @@ class NativeSolver:
             memory.kept.append(fill)
             model.fill = ctypes.cast(fill, ctypes.c_void_p).value
         functions = self._machine.functions
-        model.exact_rate = int("derivative" in functions and not evaluator.is_moving)
-        model.autonomous = int("derivative" not in functions and not evaluator.is_moving)
+        slopes, quick = functions.get("jac"), code.quick
+        together = quick.slopes is not None
+        model.takes_solution = int(together)
+        has_rate = "derivative" in functions or (together and slopes is not None and slopes.nnz_out(1) > 0)
+        model.exact_rate = (2 if together else 1) if has_rate and not evaluator.is_moving else 0
+        model.autonomous = int(not has_rate and not evaluator.is_moving)
+        if quick.ode is not None or (together and model.guesses):
+            rescue = RESCUE(self._rescue)
+            memory.kept.append(rescue)
+            model.rescue = ctypes.cast(rescue, ctypes.c_void_p).value
         self._bind_functions()
 
     def _bind_functions(self) -> None:
@@ -136,7 +136,7 @@ class NativeSolver:
         arrays = self._arrays
         results = {
             "ode": [arrays["xdot"], arrays["z"]],
-            "jac": [arrays["jacobian"]],
+            "jac": [arrays["jacobian"], arrays["rate"]],
             "derivative": [arrays["rate"]],
             "events": [arrays["roots"]],
             "scales": [arrays["sizes"]],
@@ -144,12 +144,33 @@ class NativeSolver:
             "assertions": [arrays["ok"]],
         }
         for name, function in self._machine.functions.items():
-            guess = "guess" if name in ("ode", "jac", "derivative") else "z"
-            known = {**self._evaluator.groups, "t": arrays["t"], "x": arrays["x"], "z": arrays[guess]}
+            solves = name in ("ode", "derivative") or (name == "jac" and not self._model.takes_solution)
+            known = self._known("guess" if solves else "z")
             inputs = [known[given] for given in function.name_in()]
             structure, kept = bound(function, inputs, results[name], library)
             self._memory.kept.append(kept)
             setattr(self._model, name, structure)
+
+    def _known(self, tearing: str) -> dict[str, Vector]:
+        """The Functions' inputs by name; `tearing` says which array is `z`."""
+        arrays = self._arrays
+        return {**self._evaluator.groups, "t": arrays["t"], "x": arrays["x"], "z": arrays[tearing]}
+
+    def _rescue(self, what: int) -> int:
+        """Derivatives (0) or slopes (1) at the model's point by the functions that are slow and robust."""
+        arrays = self._arrays
+        try:
+            if self._robust is None:
+                known = self._known("guess")
+                self._robust = Robust(
+                    self._evaluator.code, [known[n] for n in self._evaluator.code.ode.name_in()]
+                )
+            if what == 0:
+                return int(not self._robust.ode([arrays["xdot"], arrays["z"]]))
+            return int(not self._robust.slopes([arrays["jacobian"], arrays["rate"]]))
+        except BaseException as problem:
+            self._raised = problem
+            return 1
 
     def _set_up(self, method: int) -> None:
         solver, memory, limits, found = self._solver, self._memory, self._limits, self._elimination
@@ -304,7 +325,7 @@ class NativeSolver:
         self._judged = steps, self._solver.t
         self._slow = self._slow + 1 if hopeless else 0
         if self._slow >= SLOW_BATCHES:
-            raise self._failure(_COLLAPSED)
+            raise self._failure(COLLAPSED)
 
     def _call(self, targets: Vector, end: float, rows: Vector, filled: ctypes.c_int) -> int:
         budget = 1 if self._evaluator.code.system.delays else _BUDGET
@@ -339,33 +360,9 @@ class NativeSolver:
         self._compiling += process_time() - began
 
     def _failure(self, status: int) -> AcausalError:
-        """Explains why the run-time gave up: an equation that is not finite, or states that change fast."""
-        evaluator = self._evaluator
-        solver = self._solver
+        """Why the run-time gave up."""
+        evaluator, solver = self._evaluator, self._solver
         if status in (binding.NOT_FINITE, binding.SINGULAR):
             evaluator.at(float(self._arrays["t"][0]), self._arrays["x"])
-            if not evaluator.evaluate():
-                evaluator.explain()
-            elif status == binding.NOT_FINITE:
-                status = binding.STEP_TOO_SMALL
-        code, cause = _CAUSES.get(status, ("simulate.solver", f"status {status}"))
-        time, x = solver.t0, self._view(solver.x0, evaluator.x.size)
-        names = self._dominant(time, x)
-        return fail(
-            SimulationProblem,
-            code,
-            f"the integration stopped {at(time)}: {cause}; "
-            f"states that change most for their tolerance: {some(names)}",
-            names=names,
-            hint="look for a discontinuity that is no event, a wrong nominal value, or a solution that ends",
-        )
-
-    def _dominant(self, time: float, x: Vector) -> list[str]:
-        """The states with the largest derivative in units of their tolerance, largest first."""
-        evaluator, limits = self._evaluator, self._limits
-        evaluator.at(time, x)
-        evaluator.evaluate()
-        with np.errstate(all="ignore"):
-            weighted = np.abs(evaluator.xdot) / (limits.rtol * np.abs(x) + limits.atol)
-        order = np.argsort(-np.nan_to_num(weighted, nan=np.inf), kind="stable")[:3]
-        return [evaluator.code.system.states[i] for i in order]
+        stopped = solver.t0, self._view(solver.x0, evaluator.x.size)
+        return failure(evaluator, self._limits, status, *stopped)

@@ -45,7 +45,7 @@ class ScikitsOdes:
         self._size = max(1, evaluator.x.size)
         self._steps = self._rhs = self._jacobians = 0
         self._time = tolerances.start
-        rows, columns = evaluator.code.jac.sparsity_out(0).get_triplet()
+        rows, columns = evaluator.code.pattern.get_triplet()
         self._pattern = np.asarray(rows, dtype=np.intp), np.asarray(columns, dtype=np.intp)
         rising = np.array([1.0 if op in ("gt", "ge") else -1.0 for op in operators(evaluator.code.system)])
         self._rising = rising
