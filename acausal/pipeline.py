@@ -15,7 +15,16 @@ from dataclasses import dataclass, field
 from time import perf_counter
 from typing import TYPE_CHECKING, Literal, TypeVar
 
-from acausal.errors import Diagnostic, LookupProblem, Source, Span, UnitProblem, UsageProblem, fail
+from acausal.errors import (
+    Diagnostic,
+    LookupProblem,
+    Source,
+    Span,
+    TypeProblem,
+    UnitProblem,
+    UsageProblem,
+    fail,
+)
 from acausal.lang import ast
 from acausal.lang.access import is_partial
 from acausal.lang.base_modelica import print_flat
@@ -76,7 +85,7 @@ def compile_model(
     stage that finds something wrong.
     """
     clock = _Clock()
-    with _compiling():
+    with _compiling(name):
         node = clock.run("parse", lambda: library.find(name))
         if stop_after == "ast":
             return Compilation(node, seconds=clock.seconds)
@@ -214,13 +223,20 @@ class _Clock:
 
 
 @contextmanager
-def _compiling() -> Generator[None, None, None]:
-    """Room for nested expressions, and no garbage collection: a compilation makes lasting nodes."""
+def _compiling(name: str) -> Generator[None, None, None]:
+    """Room for nested expressions, and no garbage collection: a compilation makes lasting nodes.
+
+    Raises `TypeProblem` `model.too-deep` where there is not room enough.
+    """
     limit, collecting = sys.getrecursionlimit(), gc.isenabled()
     sys.setrecursionlimit(max(limit, RECURSION_LIMIT))
     gc.disable()
     try:
         yield
+    except RecursionError:
+        message = f"`{name}` has values, classes or calls that lead to each other too deep"
+        hint = f"shorten its longest chain of parameters: {RECURSION_LIMIT} calls of Python do not follow it"
+        raise fail(TypeProblem, "model.too-deep", message, names=[name], hint=hint) from None
     finally:
         sys.setrecursionlimit(limit)
         if collecting:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import prod
+from math import isfinite, prod
 
 from acausal.errors import Span, TypeProblem, fail
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING
@@ -133,13 +133,15 @@ def _elementwise(operator: str, a: Value, b: Value, span: Span) -> Value:
     result = zip_with(_ELEMENT[operator], a, b, type_)
     if result is None:
         raise _sizes(operator, a, b, span)
-    return with_integers(result)
+    return with_integers(result, span)
 
 
-def with_integers(value: Value) -> Value:
+def with_integers(value: Value, span: Span) -> Value:
     """An Integer result with Integer literals: `n - n` and `0 * n` are 0, not 0.0."""
     if value.type != INTEGER or all(type(item.value) is not float for item in value.items):
         return value
+    if not all(isfinite(item.number) for item in value.items if type(item.value) is float):
+        raise type_error("parameter.arithmetic", "this Integer is larger than 64 bits", span)
     items = [ex.const(int(item.number)) if type(item.value) is float else item for item in value.items]
     return Value(INTEGER, value.shape, tuple(items))
 
@@ -160,7 +162,7 @@ def _times(a: Value, b: Value, span: Span) -> Value:
         for i in range(rows)
         for j in range(columns)
     ]
-    return with_integers(Value(type_, a.shape[:-1] + b.shape[1:], tuple(items)))
+    return with_integers(Value(type_, a.shape[:-1] + b.shape[1:], tuple(items)), span)
 
 
 def dot(a: list[Expr], b: list[Expr]) -> Expr:

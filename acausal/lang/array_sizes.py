@@ -13,6 +13,7 @@ from acausal.lang.values import shape_of
 
 MAX_ELEMENTS = 200_000
 """Bound on the elements of one array component."""
+MAX_DIMENSIONS = 100
 
 
 def array_shape(
@@ -28,6 +29,9 @@ def array_shape(
     """The sizes of a component, outermost first. They are put into `sizes` one by one, so that a later size
     may depend on an earlier one: `Real A[:, size(A, 1)]`. A `growing` array of unknown size starts empty.
     """
+    if sum([len(dimensions.items) for dimensions, _ in written]) > MAX_DIMENSIONS:
+        message = f"`{path}` has more than {MAX_DIMENSIONS} dimensions"
+        raise fail(TypeProblem, "array.dimensions", message, span, names=[path])
     for dimensions, context in written:
         for item in dimensions.items:
             if isinstance(item, ast.Colon) and growing and modifier.binding is None:

@@ -39,7 +39,7 @@ def _comprehension(
     """`{e for i in I, j in J}` is `{{e for i in I} for j in J}`."""
     *inner, outer = iterators
     values: list[AnyValue] = []
-    for value in iterator_values(translation, outer, env, item):
+    for value in translation.turns(iterator_values(translation, outer, env, item), outer.span):
         env_here = env.with_locals({outer.name: value})
         if inner:
             values.append(_comprehension(translation, item, inner, env_here, node))

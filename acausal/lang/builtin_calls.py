@@ -17,6 +17,8 @@ def builtin_value(
 ) -> AnyValue:
     """A built-in function of values; some take records too."""
     values = [translation.value(arg, env) for arg in node.arguments]
+    for value in values:
+        translation.counted(value, node.span)
     if all(isinstance(value, Value) for value in values):
         value = builtin(values, node.span)
         return without_events(value) if env.depth and name in EVENT_FUNCTIONS else value

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 
 from acausal.errors import AcausalError, Span, TypeProblem
 from acausal.lang import ast
@@ -27,6 +28,8 @@ from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 
 MAX_EQUATIONS = 1_000_000
+MAX_BRANCHES = 2000
+"""Branches of one if-equation whose conditions vary."""
 
 
 class Equations:
@@ -39,7 +42,7 @@ class Equations:
         self.whens: list[When] = []
         self.discrete = DiscreteVariables()
         self.sets = sets
-        self._guards: list[Expr] = []
+        self._guards: list[Callable[[], Expr]] = []
         """When the branches of the `if`-equations on variables that are being translated are in force."""
 
     def component(self, instance: Instance) -> None:
@@ -155,25 +158,32 @@ class Equations:
         span: Span,
     ) -> None:
         tests = [test for test, _ in branches]
-        bodies: list[list[Equation]] = []
-        for k, (test, body) in enumerate(branches):
-            guard = ex.logical_and(*[ex.logical_not(t) for t in tests[:k]], test)
-            bodies.append(self._branch(body, env, guard))
-        guard = ex.logical_and(*[ex.logical_not(t) for t in tests])
-        bodies.append(self._branch(otherwise, env, guard))
+        if len(tests) > MAX_BRANCHES:
+            message = f"this if-equation has more than {MAX_BRANCHES} conditions that vary"
+            raise type_error("equation.too-many-branches", message, span, "put the values into a table")
+
+        def guard(k: int) -> Expr:
+            return ex.logical_and(*[ex.logical_not(t) for t in tests[:k]], *tests[k : k + 1])
+
+        bodies = [
+            self._branch(body, env, partial(guard, k))
+            for k, body in enumerate([*[body for _, body in branches], otherwise])
+        ]
         counts = [len(body) for body in bodies]
         if len(dict.fromkeys(counts)) > 1:
             raise _unbalanced(counts, tests, span)
         target += [merge_branches(tests, row, span) for row in zip(*bodies, strict=True)]
 
-    def _branch(self, body: Sequence[ast.Equation], env: Env, guard: Expr) -> list[Equation]:
+    def _branch(self, body: Sequence[ast.Equation], env: Env, guard: Callable[[], Expr]) -> list[Equation]:
+        """The equations of one branch; `guard`, which may be long, is made where something depends on it."""
         found: list[Equation] = []
         start = len(self._translation.assertions)
         self._guards.append(guard)
         for equation in body:
             self._equation(equation, env, found)
         self._guards.pop()
-        guard_assertions(self._translation.assertions, start, guard)
+        if len(self._translation.assertions) > start:
+            guard_assertions(self._translation.assertions, start, guard())
         return found
 
     # ------------------------------------------------------------------ connect and assert
@@ -204,7 +214,7 @@ class Equations:
             self._translation.assertions.append(assertion)
         elif name == "terminate":
             text = termination_text(self._translation, node.call, env)
-            guard = ex.logical_and(*self._guards)
+            guard = ex.logical_and(*[guard() for guard in self._guards])
             self.whens.append(terminating(guard, Termination(text, node.span, component)))
         elif name == "reinit":
             message = "`reinit` is only allowed in a when-equation"

@@ -15,7 +15,7 @@ from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, ScalarType, Variab
 from acausal.symbolic.expressions.expr import EnumValue, Expr
 from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.operators import OPERATORS, RELATIONS
-from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.expressions.text import beginning
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ def comparable(a: ScalarType, b: ScalarType) -> bool:
 
 def short_text(node: Expr) -> str:
     """The expression, in quotes and cut for a message."""
-    text = to_text(node)
+    text = beginning(node, 60)
     return f"`{text if len(text) <= 60 else text[:57] + '...'}`"
 
 

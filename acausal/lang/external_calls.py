@@ -64,7 +64,7 @@ def _written(frame: Frame, arguments: Sequence[ast.Expression]) -> dict[int, str
     outputs = [n for n, e in frame.entries.items() if e.clause.causality == "output" and not e.protected]
     found: dict[int, str] = {}
     if external is not None and external.result is not None:
-        found[-1] = external.result.text
+        found[-1] = _result_name(frame, external.result, outputs)
     elif external is not None and external.name is None and outputs:
         found[-1] = outputs[0]
     for position, argument in enumerate(arguments):
@@ -73,6 +73,14 @@ def _written(frame: Frame, arguments: Sequence[ast.Expression]) -> dict[int, str
             if entry is not None and entry.clause.causality != "input":
                 found[position] = argument.text
     return found
+
+
+def _result_name(frame: Frame, result: ast.ComponentReference, outputs: Sequence[str]) -> str:
+    """What stands left of `=` in an external call: an output (12.9.3)."""
+    if result.text in outputs:
+        return result.text
+    message = f"`{result.text}` is no output of `{frame.scope.path}`: the external call cannot set it"
+    raise type_error("external.result", message, result.span, "", (frame.scope.path, result.text))
 
 
 def _results(
@@ -90,7 +98,7 @@ def _results(
     if name == _WRITE:
         _note_unwritten(frame, node)
         return {-1: literal(False)}
-    if name.startswith(_TABLES):
+    if name.startswith(_TABLES) and values:
         applied = APPLICATIONS.get(name.removeprefix(_TABLES))
         if applied is not None:
             found = object_of(translation, values[0], node.span)

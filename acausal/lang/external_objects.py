@@ -70,7 +70,9 @@ class Application:
         return self.found
 
     def item(self, position: int) -> Expr:
-        """A scalar argument."""
+        """A scalar argument. Raises `RoutineFailed` when there are too few."""
+        if position >= len(self.args):
+            raise RoutineFailed(f"an external call with {len(self.args) + 1} arguments needs more of them")
         return as_scalar(as_value(self.args[position], self.span), self.span).item
 
     def index(self) -> int:

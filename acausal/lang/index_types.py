@@ -6,7 +6,7 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
 from acausal.lang.class_table import ComponentEntry
 from acausal.lang.instance import Array, Instance, Outer
-from acausal.lang.iteration import enumerated
+from acausal.lang.iteration import enumerated_type
 from acausal.lang.modifiers import Context
 from acausal.lang.references import refuse_conditional
 from acausal.lang.translation import Env, Translation
@@ -46,10 +46,10 @@ def _check(
     for size, index in zip(sizes, indices, strict=False):
         if isinstance(index, ast.Colon) or not isinstance(size, ast.ComponentReference) or _is_chosen(index):
             continue
-        values = enumerated(translation, size, place)
+        wanted = enumerated_type(translation, size, place)
         found = as_value(translation.value(index, env.with_size(literal(1))), index.span).type
-        if values and found != values[0].type:
-            message = f"this dimension of `{part.name}` is indexed by {values[0].type}, not by {found}"
+        if wanted is not None and found != wanted:
+            message = f"this dimension of `{part.name}` is indexed by {wanted}, not by {found}"
             raise type_error("type.index", message, index.span, "see Modelica 3.6, 10.5.1", (part.name,))
 
 

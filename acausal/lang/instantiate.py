@@ -50,13 +50,12 @@ from acausal.lang.redeclarations import check_not_constant, constraints_of, rede
 from acausal.lang.restrictions_functions import check_used
 from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType, SimpleTypes, with_attributes
+from acausal.lang.size_bound import MAX_MEMBERS, SizeBound
 from acausal.lang.stream_flows import check_stream
 from acausal.lang.translation import Translation
 
 MAX_DEPTH = 100
 """Components nested deeper than this are taken for a model that contains itself."""
-MAX_MEMBERS = 1_000_000
-"""Bound on the components and scalars of one model."""
 
 
 class Instantiator:
@@ -100,7 +99,9 @@ class Instantiator:
     def complete(self, root: Instance) -> Instance:
         """Build every member below `root`."""
         stack: list[tuple[Member | Outer, int]] = [(root, 0)]
+        bound = SizeBound(self._types)
         while stack:
+            bound.look_ahead(self._count, stack)
             member, depth = stack.pop()
             if isinstance(member, Instance):
                 if depth > MAX_DEPTH:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_value, type_error
-from acausal.lang.flat import BOOLEAN, Variability
+from acausal.lang.flat import BOOLEAN, ScalarType, Variability
 from acausal.lang.implicit_ranges import implicit_values
 from acausal.lang.references import resolve
 from acausal.lang.scope import Scope
@@ -35,8 +35,7 @@ def _combinations(
         yield env
         return
     first, rest = iterators[0], iterators[1:]
-    for value in iterator_values(translation, first, env, body):
-        translation.count_work(10, first.span)
+    for value in translation.turns(iterator_values(translation, first, env, body), first.span):
         yield from _combinations(translation, rest, env.with_locals({first.name: value}), body)
 
 
@@ -92,16 +91,24 @@ def iterator_values(translation: Translation, iterator: ast.Iterator, env: Env, 
 
 def enumerated(translation: Translation, node: ast.Expression, env: Env) -> list[Value] | None:
     """The values of `Boolean` or of an enumeration type; None for anything else."""
+    type_ = enumerated_type(translation, node, env)
+    if type_ is None:
+        return None
+    if type_ == BOOLEAN:
+        return [literal(False), literal(True)]
+    return [enumeration_literal(type_, i) for i in range(1, len(type_.literals) + 1)]
+
+
+def enumerated_type(translation: Translation, node: ast.Expression, env: Env) -> ScalarType | None:
+    """`Boolean` or the enumeration that a name stands for; None for anything else."""
     if not isinstance(node, ast.ComponentReference) or node.parts[0].name in env.locals:
         return None
     if node.text == "Boolean":
-        return [literal(False), literal(True)]
+        return BOOLEAN
     resolved = resolve(translation, node, env)
     if not isinstance(resolved, Scope):
         return None
     simple = translation.instances.simple_type(resolved)
-    if simple is not None and simple.scalar == BOOLEAN:
-        return [literal(False), literal(True)]
-    if simple is None or not simple.scalar.is_enumeration:
+    if simple is None or not (simple.scalar == BOOLEAN or simple.scalar.is_enumeration):
         return None
-    return [enumeration_literal(simple.scalar, i) for i in range(1, len(simple.scalar.literals) + 1)]
+    return simple.scalar

@@ -22,6 +22,15 @@ def did_you_mean(name: str, known: Sequence[str], most: int = 3) -> str:
 
 def unknown_name(name: str, scope: Scope, span: Span, what: str = "name") -> AcausalError:
     """The error for a simple name that no lookup rule finds, with near misses from around."""
+    if name == "Clock":
+        return fail(
+            UnsupportedProblem,
+            "unsupported.clock",
+            f"`{scope.path}` uses the type `Clock`: synchronous clocks (Modelica 3.6, chapter 16)",
+            span,
+            names=[name],
+            hint="use `when sample(start, interval)` where a sampled system is enough",
+        )
     known: list[str] = []
     current: Scope | None = scope
     while current is not None:

@@ -96,7 +96,7 @@ def if_value(translation: Translation, node: ast.If, env: Env) -> AnyValue:
     for condition, branch in node.branches:
         start = len(found)
         test = as_boolean(translation.value(condition, env), condition.span)
-        if pending:
+        if pending and len(found) > start:
             guard_assertions(found, start, ex.logical_not(ex.logical_or(*[t for t, _ in pending])))
         if not test.is_const:
             pending.append((test, branch))

@@ -259,6 +259,7 @@ def check_combination(scope: Scope, table: Table) -> None:
     if not isinstance(definition, ast.LongClass):
         return
     base = next((base for base in table.bases if _is_closed(base.scope)), None)
+    table.closed = base is not None
     if base is None:
         return
     others = [e for e in definition.body.elements if isinstance(e, (ast.Extends, ast.ComponentClause))]
@@ -279,19 +280,14 @@ def check_combination(scope: Scope, table: Table) -> None:
 
 def _is_closed(scope: Scope) -> bool:
     """A simple type, an array class, a class with a prefix, or what extends one."""
-    stack, seen = [scope], {scope}  # a class may be inherited by many ways
-    while stack:
-        current = stack.pop()
-        if current.is_predefined:
-            if current.definition.kind == "type":
-                return True
-        elif _is_closed_itself(current.definition):
-            return True
-        else:
-            new = [base.scope for base in current.table.bases if base.scope not in seen]
-            seen.update(new)
-            stack += new
-    return False
+    if scope.is_predefined:
+        return scope.definition.kind == "type"
+    table = scope.table
+    if table.closed is None:  # that of what it inherits from is known already
+        table.closed = _is_closed_itself(scope.definition) or any(
+            _is_closed(base.scope) for base in table.bases
+        )
+    return table.closed
 
 
 def _is_closed_itself(definition: ast.ClassDefinition) -> bool:

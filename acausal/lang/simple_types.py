@@ -142,8 +142,9 @@ def enumeration_of(scope: Scope) -> ScalarType:
             names=[scope.path],
         )
     names = tuple([entry.name for entry in definition.literals])
-    for i, entry in enumerate(definition.literals):
-        if entry.name in names[:i]:
+    seen: set[str] = set()
+    for entry in definition.literals:
+        if entry.name in seen:
             raise fail(
                 TypeProblem,
                 "lookup.duplicate-element",
@@ -161,6 +162,7 @@ def enumeration_of(scope: Scope) -> ScalarType:
                 names=[entry.name],
                 hint="use another name (Modelica 3.6, 4.9.5.1)",
             )
+        seen.add(entry.name)
     return ScalarType(scope.path, names)
 
 

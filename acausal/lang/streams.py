@@ -23,6 +23,7 @@ from acausal.symbolic.expressions.expr import Expr
 
 SMALL = 1e-8
 """Flows smaller than this times their nominal value count as this much."""
+_WORK_OF_TERM = 20
 _T = TypeVar("_T")
 
 
@@ -100,6 +101,7 @@ class Streams:
             return otherwise
         if len(others) == 1:
             return self._property(others[0])
+        self.translation.count_work(_WORK_OF_TERM * len(others), self.sets.place[target][0])
         terms = [self._term(node) for node in others]
         eps = ex.const(SMALL * min(term.nominal for term in terms))
         weights = [ex.function("max", term.flow, eps) for term in terms]

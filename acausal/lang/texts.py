@@ -72,6 +72,8 @@ def _format(given: dict[str, object], value: Value, node: ast.Call) -> str:
         ):
             message = f"`{written}` is not a format for {describe(value)}"
             raise type_error("call.arguments", message, node.span, 'such as "8.3f" or "-6d"', ("format",))
+        for number in re.findall(r"\d+", written):
+            _whole(int(number[:20]), "format", node)
         return written
     if value.type == REAL:
         return f".{_whole(given.get('significantDigits', 6), 'significantDigits', node)}g"

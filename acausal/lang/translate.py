@@ -61,7 +61,7 @@ from acausal.lang.work import Budget
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr
-from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.expressions.text import beginning
 
 MAX_CALL_DEPTH = 60
 
@@ -132,7 +132,7 @@ class Translator(Budget):
         except NotConstant as problem:
             raise not_constant(problem.name, span, purpose) from None
         except EvaluationFailed as problem:
-            message = f"{problem} in {purpose}: `{to_text(item)}`"
+            message = f"{problem} in {purpose}: `{beginning(item, 200)[:200]}`"
             raise type_error("parameter.arithmetic", message, span, "", ex.symbols([item])) from None
         self._shaped_by(item)
         return result
@@ -391,7 +391,7 @@ class Translator(Budget):
         if env.depth > MAX_CALL_DEPTH:
             raise too_deep_calls(node.function.text, MAX_CALL_DEPTH, node.span)
         if env.depth == 0:
-            self.steps = 0
+            self.begin_call()
         return call_function(self, scope, node, env)
 
 

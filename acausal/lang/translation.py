@@ -6,9 +6,9 @@ that builder as seen by them. Both are implemented once: `translate.Translator`,
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from acausal.errors import Diagnostic, Span
 from acausal.lang import ast
@@ -21,6 +21,9 @@ from acausal.lang.scope import Scope
 from acausal.lang.simple_types import SimpleType
 from acausal.lang.values import AnyValue, Value
 from acausal.symbolic.expressions.expr import Constant, Expr
+
+_T = TypeVar("_T")
+_V = TypeVar("_V", bound=AnyValue)
 
 if TYPE_CHECKING:
     from acausal.lang.formals import Formal
@@ -187,7 +190,15 @@ class Translation(Protocol):
         ...
 
     def count_work(self, amount: int, span: Span) -> None:
-        """Count what a loop or an array adds to the model. Raises when it is too much."""
+        """Count elements that are computed. Raises when they are too many."""
+        ...
+
+    def counted(self, value: _V, span: Span) -> _V:
+        """A value, its elements counted as those of another array."""
+        ...
+
+    def turns(self, values: Sequence[_T], span: Span) -> Iterator[_T]:
+        """The turns of a loop, counted. Raises when they are too much."""
         ...
 
     def count_step(self, function: str, span: Span) -> None:

@@ -19,9 +19,11 @@ from acausal.lang.flat import REAL, Equation, FlatModel, Origin, Variable
 from acausal.lang.unit_inference import NUMBER, UNKNOWN, Clash, Inference, Measure, compare
 from acausal.lang.units import ONE, MalformedUnit, Unit, format_unit, parse_unit, same_dimensions, same_unit
 from acausal.symbolic.expressions.expr import Expr, sym, symbols
-from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.expressions.text import beginning
 
 _LONGEST = 60
+_MOST_CLASHES = 5
+"""Clashes shown of one equation: where there are more, one follows from the other."""
 _MOST_NAMES = 6
 _ATTRIBUTES = ("binding", "start", "min", "max", "nominal")
 
@@ -168,7 +170,7 @@ def _equation(flat: FlatModel, inference: Inference, equation: Equation) -> Iter
 
 def _noticed(flat: FlatModel, inference: Inference, place: _Place) -> Iterator[Diagnostic]:
     """What the walk since the last call found inside expressions."""
-    for clash in inference.clashes:
+    for clash in inference.clashes[:_MOST_CLASHES]:
         yield _diagnostic(flat, clash, place)
     for function, argument, unit in inference.arguments:
         text = _described(flat, argument, unit)
@@ -221,5 +223,5 @@ def _unit_text(flat: FlatModel, part: Expr, unit: Unit) -> str:
 
 
 def _short(part: Expr) -> str:
-    text = to_text(part)
+    text = beginning(part, _LONGEST)
     return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."

@@ -45,7 +45,7 @@ def translate_when(
     """
     branches: list[WhenBranch] = []
     others: list[When] = []
-    earlier: Expr = FALSE
+    earlier: list[Expr] = []
     for condition, body in node.branches:
         conditions = _conditions(translation, condition, env)
         for part, initially in _phases(conditions):
@@ -60,9 +60,9 @@ def translate_when(
                 if guard is not TRUE and initially is TRUE:
                     raise _conditional_start(termination)
                 if guard is not TRUE:
-                    test = ex.logical_and(ex.logical_not(earlier), fires, guard)
+                    test = ex.logical_and(ex.logical_not(ex.logical_or(*earlier)), fires, guard)
                     others.append(terminating(test, termination))
-            earlier = ex.logical_or(earlier, fires)
+            earlier.append(fires)
     _check_same_variables(branches)
     return (When(tuple(branches), node.span, component), *others)
 

@@ -8,11 +8,10 @@ from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
 from acausal.lang.flat import Equation, FlatModel, Origin
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
-from acausal.symbolic.describe import base_name, cut, equation_with_place, listed, shown
+from acausal.symbolic.describe import base_name, equation_with_place, listed, short_text, shown
 from acausal.symbolic.expressions.diff import INPUT, NotDifferentiable
 from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
 from acausal.symbolic.expressions.simplify import split_factor
-from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import all_leaves
 from acausal.symbolic.parameters import ParameterValues
 
@@ -60,7 +59,7 @@ def two_values(
     (first, value), (second, other) = new, known
     through = f" through {listed([equation_with_place(equation) for equation in between])}" if between else ""
     if same_value(value, other, values):
-        why = f"`{name}` = {to_text(value)} already follows from {equation_with_place(second)}{through}"
+        why = f"`{name}` = {short_text(value)} already follows from {equation_with_place(second)}{through}"
         return _surplus(first, _names(first), why)
     connected = any(equation.origin is Origin.CONNECTION for equation in (first, second, *between))
     remove = "remove one of these equations"
@@ -71,7 +70,7 @@ def two_values(
                 "alias.contradiction",
                 f"in the running system the equation `{shown(one)}` contradicts "
                 f"{equation_with_place(two)}{through}: "
-                f"`{name}` would be both {to_text(mine)} and {to_text(its)}",
+                f"`{name}` would be both {short_text(mine)} and {short_text(its)}",
                 one.span,
                 tuple(dict.fromkeys((name, *_names(one)))),
                 hint,
@@ -86,7 +85,7 @@ def no_unknown_left(
 ) -> BalanceProblem:
     """After elimination both sides are known: the equation is either false or says nothing."""
     source = flat.equations[equation]
-    reduced = f"{to_text(left)} = {to_text(right)}"
+    reduced = f"{short_text(left)} = {short_text(right)}"
     if same_value(left, right, values) is not False:
         return _surplus(source, _names(source), f"with the other equations it reads {reduced}")
     return BalanceProblem(
@@ -124,7 +123,7 @@ _NO_SLOPE_OF_INPUT = (
 
 def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
     """The typed error for an equation that had to be differentiated."""
-    what = cut(to_text(problem.expr))
+    what = short_text(problem.expr)
     error = fail(
         ReductionProblem,
         "reduction.not-differentiable",

@@ -8,7 +8,7 @@ from acausal.errors import Span
 from acausal.lang.flat import Equation, Origin
 from acausal.symbolic.causal import CausalEquation, InitialCondition
 from acausal.symbolic.expressions.expr import Expr
-from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.expressions.text import beginning, to_text
 
 SHOWN = 5
 """How many names or equations a message lists before it says `and N more`."""
@@ -23,12 +23,18 @@ def equation_text(equation: Equation | CausalEquation) -> str:
 
 def shown(equation: Equation | CausalEquation) -> str:
     """`equation_text` for a message: cut where inlined functions make it long; the place says the rest."""
-    return cut(equation_text(equation))
+    left, right = (beginning(side, MOST_TEXT) for side in (equation.left, equation.right))
+    return cut(f"{left} = {right}")
 
 
 def cut(text: str) -> str:
     """At most the first `MOST_TEXT` characters."""
     return text if len(text) <= MOST_TEXT else f"{text[:MOST_TEXT].rstrip()} ..."
+
+
+def short_text(expression: Expr) -> str:
+    """The expression for a message, cut."""
+    return cut(beginning(expression, MOST_TEXT))
 
 
 def place(span: Span) -> str:
@@ -50,7 +56,7 @@ def condition_text(condition: InitialCondition) -> str:
     """`the start value `x` = 2.0 (Tank.mo:12)`, or the initial equation with its place."""
     flat = condition.equation.flat
     if condition.start:
-        return f"the start value `{condition.start}` = {cut(to_text(flat.right))} ({place(flat.span)})"
+        return f"the start value `{condition.start}` = {short_text(flat.right)} ({place(flat.span)})"
     return f"the initial equation {equation_with_place(flat)}"
 
 

@@ -14,6 +14,8 @@ _Piece = tuple[str, int]
 
 MOST_CHARACTERS = 10_000_000
 """Parts beyond this are left out as `...`: an expression with shared parts is small, its text may be huge."""
+_MOST_WRITTEN = 10 * MOST_CHARACTERS
+"""The same of the texts of all parts of one expression together, which bounds the time."""
 
 _ATOM = 100
 _POWER, _PRODUCT, _SUM = 7, 6, 5
@@ -53,11 +55,28 @@ def constant_text(value: object, name: Callable[[str], str] = plain_name) -> str
 
 def to_text(root: Expr, name: Callable[[str], str] = plain_name) -> str:
     """The expression as Modelica text; `name` maps flat names to identifiers, as `quoted_name` does."""
+    written = 0
 
     def visit(node: Expr, args: list[_Piece]) -> _Piece:
-        if sum([len(text) for text, _ in args]) > MOST_CHARACTERS:
+        nonlocal written
+        length = sum([len(text) for text, _ in args])
+        written += length
+        if length > MOST_CHARACTERS or written > _MOST_WRITTEN:
             return "...", _ATOM
         return _piece(node, args, name)
+
+    return fold([root], visit)[root][0]
+
+
+def beginning(root: Expr, most: int) -> str:
+    """The first characters of `to_text`: all of them if they are at most `most`, else more than that.
+
+    A text begins with the beginnings of its parts' texts, so that none of these is needed whole.
+    """
+
+    def visit(node: Expr, args: list[_Piece]) -> _Piece:
+        text, precedence = _piece(node, args[: most + 1], plain_name)  # each is a character or more
+        return text[: most + 1], precedence
 
     return fold([root], visit)[root][0]
 
