@@ -17,7 +17,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, SupportsIndex, TypeAlias, cast
 
-from acausal.errors import Diagnostic, LookupProblem, Source, UsageProblem, fail
+from acausal.errors import Diagnostic, Source, UsageProblem, fail
 from acausal.lang.base_reading import decoded, is_base_modelica
 from acausal.lang.flat import FlatModel
 from acausal.lang.library import Library, read_source
@@ -30,6 +30,7 @@ from acausal.sources import (
     searched_directories,
     stored_root,
 )
+from acausal.summary import summary_of
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.parameters import order_parameters
 
@@ -40,6 +41,7 @@ if (
     from acausal.analysis.snapshot import Snapshot
     from acausal.codegen.functions import Code
     from acausal.explain.explanation import Explanation
+    from acausal.export.c_export import Package
     from acausal.simulate.inputs import InputValue
     from acausal.simulate.jacobian import Jacobian
     from acausal.simulate.overrides import Override
@@ -219,6 +221,43 @@ class CompiledModel:
             inputs=inputs,
         )
 
+    def export_c(
+        self,
+        folder: str | Path,
+        *,
+        name: str | None = None,
+        solver: str = "heun",
+        step: float | None = None,
+        stop_time: float | None = None,
+        interval: float | None = None,
+        events: str = "locate",
+        tunable: Sequence[str] = (),
+        variables: Sequence[str] = (),
+        everything: bool = False,
+    ) -> Package:
+        """Write a package of C99 that runs the model without anything else; see docs/export.md.
+
+        Settings are those of `simulate` with a fixed-step `solver`; `tunable` names what the program takes
+        from its table of parameters (`"all"` for all), `variables` its outputs. Raises `UnsupportedProblem`
+        for what has no C, `UsageProblem` and `LookupProblem`.
+        """
+        from acausal.export.c_export import export_c
+
+        package = export_c(
+            self.code,
+            name=name,
+            solver=solver,
+            step=step,
+            stop_time=stop_time,
+            interval=interval,
+            events=events,
+            tunable=tunable,
+            variables=variables,
+            everything=everything,
+        )
+        package.write(Path(folder))
+        return package
+
     def linearize(
         self,
         at: At = "initial",
@@ -343,55 +382,3 @@ def as_modelica(value: ParameterValue, name: str = "") -> str:
             return "{" + ", ".join([as_modelica(item, name) for item in value]) + "}"
         case _:
             return repr(operator.index(value))
-
-
-def check_names(compiled: CompiledModel, names: Iterable[str]) -> None:
-    """Raises `LookupProblem` for a name that no result of the model will hold."""
-    from acausal.simulate.names import NAME_IT_TOO, derivative_of_alias, did_you_mean, left_out
-    from acausal.symbolic.expressions.text import to_text
-
-    removed = compiled.causal.removed
-    gone = frozenset(v.name for v in removed.variables) if removed is not None else frozenset[str]()
-    known = dict.fromkeys(v.name for v in compiled.flat.variables if v.name not in gone)
-    known |= dict.fromkeys(to_text(leaf) for leaf in compiled.code.output_leaves)
-    problems = [
-        Diagnostic(
-            "result.unknown-name",
-            left_out(name) if name in gone else f"the model {compiled.name} has no variable `{name}`",
-            names=(name,),
-            hint=NAME_IT_TOO if name in gone else did_you_mean(name, known),
-        )
-        for name in names
-        if (derivative_of_alias(compiled.causal, name) or (1.0, name))[1] not in known
-    ]
-    if problems:
-        raise LookupProblem(problems)
-
-
-def summary_of(compilation: Compilation) -> dict[str, object]:
-    """The JSON of `acausal compile`, as far as the compilation went."""
-    summary: dict[str, object] = {"model": compilation.node.path}
-    flat, causal = compilation.flat, compilation.causal
-    if flat is not None:
-        summary |= {"model": flat.name, "equations": flat.equation_count, "variables": len(flat.unknowns)}
-    if causal is not None:
-        largest = max(causal.blocks, key=lambda b: b.size, default=None)
-        summary |= {
-            "aliases": len(causal.aliases),
-            "index": causal.index,
-            "states": list(causal.states),
-            "blocks": {
-                "count": len(causal.blocks),
-                "largest": largest.size if largest is not None else 0,
-                "largest_torn": max((len(b.tearing) for b in causal.blocks), default=0),
-            },
-            "zero_crossings": len(causal.zero_crossings),
-        }
-        if causal.removed is not None:
-            summary["removed"] = {
-                "for": list(causal.removed.outputs),
-                "equations": causal.removed.equation_count,
-                "variables": len(causal.removed.variables),
-            }
-    summary["seconds"] = dict(compilation.seconds)
-    return summary

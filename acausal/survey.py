@@ -10,12 +10,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from time import perf_counter
 
-from acausal.api import check_flat, summary_of
+from acausal.api import check_flat
 from acausal.errors import AcausalError, Diagnostic
 from acausal.lang import ast
 from acausal.lang.library import ClassNode, Library
 from acausal.lang.scope import Root
 from acausal.pipeline import compile_model
+from acausal.summary import summary_of
 
 _CHECKED = ("model", "block", "class")
 

@@ -11,6 +11,8 @@ StageName: TypeAlias = Literal["ast", "instance", "flat", "causal", "code"]
 
 EventsName: TypeAlias = Literal["locate", "step"]
 
+TargetName: TypeAlias = Literal["c", "casadi"]
+
 _Model = Annotated[
     str,
     typer.Argument(
@@ -237,6 +239,56 @@ def simulate(
         events=events,
     )
     run_simulate(target, settings, as_json=json)
+
+
+@app.command(short_help="Write a model as C or as CasADi functions.")
+def export(
+    model: _Model,
+    to: Annotated[TargetName, typer.Option("--to", help="What to write.")] = "c",
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="PATH", help="Folder (c) or file (casadi).")
+    ] = None,
+    parameter: _Parameters = None,
+    only: _Only = None,
+    name: Annotated[
+        str | None, typer.Option(metavar="NAME", help="What the C is called; default: the model's name.")
+    ] = None,
+    solver: Annotated[
+        str, typer.Option(metavar="NAME", help="One with fixed steps, see docs/solvers.md.")
+    ] = "heun",
+    step: Annotated[
+        float | None, typer.Option(metavar="SECONDS", help="Length of steps; default: --interval.")
+    ] = None,
+    stop_time: Annotated[float | None, typer.Option(metavar="SECONDS", help="When to stop.")] = None,
+    interval: Annotated[float | None, typer.Option(metavar="SECONDS", help="Between output points.")] = None,
+    events: Annotated[
+        EventsName, typer.Option(help="Find crossings inside a step, or only at its end.")
+    ] = "locate",
+    tunable: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="A parameter, start(x), or all; default: the top level's."),
+    ] = None,
+    variable: Annotated[
+        list[str] | None, typer.Option("-v", "--variable", metavar="NAME", help="An output. Repeatable.")
+    ] = None,
+    all_: Annotated[bool, typer.Option("--all", help="Every variable is an output.")] = False,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Write a package of C99 with a program that runs it, or serialised CasADi functions.
+
+    Settings of the run are defaults of the program. With --json: names, sizes and files.
+    """
+    from acausal.cli.commands import Target
+    from acausal.cli.exporting import Wish, run_export
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()), tuple(only or ()))
+    outputs = tuple(variable or only or ())
+    wish = Wish(
+        to, output, name, solver, step, stop_time, interval, events, tuple(tunable or ()), outputs, all_
+    )
+    run_export(target, wish, as_json=json)
 
 
 @app.command(short_help="Read figures off a stored result.")

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from acausal.api import Model, load, summary_of
+from acausal.api import Model, load
 from acausal.cli.output import print_diagnostics, print_json, print_table, print_text
 from acausal.errors import UsageProblem, fail
 from acausal.pipeline import STAGES, Compilation, Stage, print_stage
+from acausal.summary import summary_of
 
 if TYPE_CHECKING:
     from acausal.symbolic.causal import CausalSystem

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from acausal.api import CompiledModel, check_names
+from acausal.api import CompiledModel
 from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
 from acausal.errors import Diagnostic, UsageProblem, fail
+from acausal.simulate.names import check_names
 from acausal.simulate.result import Result
 
 _SHOWN = 40
@@ -58,7 +59,7 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
         check_writable(file)
     compiled = CompiledModel(target.run())
     print_diagnostics(compiled.warnings)
-    check_names(compiled, run.variables)
+    check_names(compiled.code, run.variables)
     result = compiled.simulate(
         stop_time=run.stop_time,
         solver=run.solver,

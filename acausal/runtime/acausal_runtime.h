@@ -35,7 +35,7 @@ enum {
     AC_RODAS3 = 7
 };
 
-enum { AC_MAX_STAGES = 8, AC_MAX_LOOKS = 64 };
+enum { AC_MAX_STAGES = 8, AC_MAX_LOOKS = 64, AC_VECTORS = 13, AC_ROOTS_OF = 6 };
 
 typedef long long ac_long; /* CasADi's integer */
 
@@ -61,8 +61,9 @@ typedef struct {
     double *row;               /* outputs */
     double *ok;                /* conditions, 1.0 where they hold */
     ac_function ode, jac, derivative, events, scales, output, assertions;
-    void (*fill)(double t);    /* writes the model's inputs at `t`; null where they are constant */
-    int (*rescue)(int what);   /* where blocks have no solution: `xdot` and `z` (0) or slopes (1) in another way */
+    void (*fill)(void *owner, double t); /* writes the model's inputs at `t`; null where they are constant */
+    int (*rescue)(void *owner, int what); /* where blocks have no solution: `xdot` and `z` (0) or slopes (1) else */
+    void *owner;
     int autonomous;            /* `rate` is zero */
     int exact_rate;            /* 1: `derivative` gives `rate`, 2: `jac` does; else by differences */
     int takes_solution;        /* `jac` takes `z`, else `guess` */
@@ -126,7 +127,10 @@ typedef struct {
     ac_long *error_failures, *convergence_failures;
 } ac_solver;
 
-/* Memory of a solver over `n` states, `m` crossings and `entries` of the Jacobian. */
+/* Memory of a solver over `n` states, `m` crossings and `entries` of the Jacobian; the same for static arrays. */
+#define AC_DOUBLES(n, m, entries) ((AC_VECTORS + AC_MAX_STAGES + 1) * (n) + AC_ROOTS_OF * (m) + (entries))
+#define AC_LU_DOUBLES(n, entries_w, capacity) ((entries_w) + 2 * (capacity) + 2 * (n))
+#define AC_LU_INTS(n, capacity) (2 * (capacity) + 7 * (n) + 2)
 int ac_doubles(int n, int m, int entries);
 int ac_ints(int m);
 /* Hands it out. The fields up to `diagonal` are set, and `lu.n, ap, ai, q`. */

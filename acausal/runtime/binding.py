@@ -16,8 +16,8 @@ METHODS = {
 }
 """The methods' numbers in the run-time; all but the first step with a fixed length."""
 
-FILL = ctypes.CFUNCTYPE(None, c_double)
-RESCUE = ctypes.CFUNCTYPE(c_int, c_int)
+FILL = ctypes.CFUNCTYPE(None, c_void_p, c_double)
+RESCUE = ctypes.CFUNCTYPE(c_int, c_void_p, c_int)
 
 _DOUBLES, _INTS = c_void_p, c_void_p
 
@@ -81,7 +81,7 @@ class ModelStructure(Structure):
         *_typed("states crossings guesses outputs conditions entries", c_int),
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
-        *_pointers("fill rescue"),
+        *_pointers("fill rescue owner"),
         *_typed("autonomous exact_rate takes_solution settled", c_int),
         *_typed("evaluations jacobians", c_longlong),
     ]

@@ -12,12 +12,12 @@
 
 int ac_lu_doubles(int n, int entries_w, int capacity)
 {
-    return entries_w + 2 * capacity + 2 * n;
+    return AC_LU_DOUBLES(n, entries_w, capacity);
 }
 
 int ac_lu_ints(int n, int capacity)
 {
-    return 2 * capacity + 7 * n + 2;
+    return AC_LU_INTS(n, capacity);
 }
 
 void ac_lu_init(ac_lu *lu, double *doubles, int *ints, int entries_w)

@@ -52,7 +52,7 @@ static void place(ac_model *m, double t, const double *x)
         memcpy(m->x, x, bytes(m->states));
     }
     if (m->fill != NULL) {
-        m->fill(t);
+        m->fill(m->owner, t);
     }
 }
 
@@ -70,7 +70,7 @@ static int solved(ac_model *m)
         m->z[0] = NAN;
     }
     if (ac_call(&m->ode) != 0 || !ac_finite(m->xdot, m->states) || !ac_finite(m->z, m->guesses)) {
-        if (ac_finite(m->z, m->guesses) || m->rescue == NULL || m->rescue(0) != 0) {
+        if (ac_finite(m->z, m->guesses) || m->rescue == NULL || m->rescue(m->owner, 0) != 0) {
             return AC_NOT_FINITE;
         }
     }
@@ -86,7 +86,7 @@ static int direct(ac_model *m, double t, const double *x, double *f)
 {
     m->t[0] = t;
     if (m->fill != NULL) {
-        m->fill(t);
+        m->fill(m->owner, t);
     }
     m->evaluations++;
     m->ode.arg[1] = x;
@@ -128,7 +128,7 @@ int ac_matrix(ac_model *m, double t, const double *x)
     if (ac_call(&m->jac) == 0 && ac_finite(m->jacobian, m->entries)) {
         return 0;
     }
-    return m->guesses > 0 && m->rescue != NULL && m->rescue(1) == 0 ? 0 : AC_NOT_FINITE;
+    return m->guesses > 0 && m->rescue != NULL && m->rescue(m->owner, 1) == 0 ? 0 : AC_NOT_FINITE;
 }
 
 /* d xdot / d t, right after `ac_matrix` at this point: from its function, with the matrix, or by a difference over a small part of `span` towards its end. */

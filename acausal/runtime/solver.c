@@ -5,11 +5,9 @@
 
 #include "acausal_runtime.h"
 
-enum { VECTORS = 13, ROOTS = 6 };
-
 int ac_doubles(int n, int m, int entries)
 {
-    return (VECTORS + AC_MAX_STAGES + 1) * n + ROOTS * m + entries;
+    return AC_DOUBLES(n, m, entries);
 }
 
 int ac_ints(int m)

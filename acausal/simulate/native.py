@@ -156,8 +156,9 @@ class NativeSolver:
         arrays = self._arrays
         return {**self._evaluator.groups, "t": arrays["t"], "x": arrays["x"], "z": arrays[tearing]}
 
-    def _rescue(self, what: int) -> int:
+    def _rescue(self, owner: int | None, what: int) -> int:
         """Derivatives (0) or slopes (1) at the model's point by the functions that are slow and robust."""
+        del owner
         arrays = self._arrays
         try:
             if self._robust is None:
@@ -248,8 +249,9 @@ class NativeSolver:
         if code != 0:
             raise self._failure(code)
 
-    def _fill(self, time: float) -> None:
+    def _fill(self, owner: int | None, time: float) -> None:
         """The inputs at `time`; what cannot pass through C (Ctrl-C) is raised when the run-time is back."""
+        del owner
         try:
             self._evaluator.refill(time)
         except BaseException as problem:

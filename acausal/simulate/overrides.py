@@ -32,14 +32,15 @@ def parameter_overrides(code: Code, parameters: Mapping[str, Override]) -> tuple
     position = {name: i for i, name in enumerate(names)}
     for name, value in parameters.items():
         if name not in position:
-            raise _unknown(code, name)
+            raise unknown_parameter(code, name)
         variable = code.system.flat.by_name[name]
-        _check_tunable(variable)
+        check_tunable(variable)
         given[position[name]], override[position[name]] = _number(variable, value), 1.0
     return given, override
 
 
-def _unknown(code: Code, name: str) -> AcausalError:
+def unknown_parameter(code: Code, name: str) -> AcausalError:
+    """The error for a name that is no parameter."""
     variable = code.system.flat.by_name.get(name)
     if variable is None:
         hint = did_you_mean(name, code.system.parameters)
@@ -52,7 +53,8 @@ def _unknown(code: Code, name: str) -> AcausalError:
     return fail(LookupProblem, "simulate.unknown-parameter", message, span, names=[name], hint=hint)
 
 
-def _check_tunable(variable: Variable) -> None:
+def check_tunable(variable: Variable) -> None:
+    """Raises `UsageProblem` for a parameter that a run cannot change."""
     name = variable.name
     again = (
         f'compile the model again with it: compile({{"{name}": ...}}), or -p {name}=... on the command line'

@@ -23,7 +23,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.pipeline",),
     ("acausal.analysis",),
     ("acausal.study",),
-    ("acausal.explain", "acausal.sources"),
+    ("acausal.explain", "acausal.export", "acausal.sources", "acausal.summary"),
     ("acausal.api",),
     ("acausal.notebook", "acausal.survey"),
     ("acausal",),

@@ -1,0 +1,70 @@
+"""`acausal export`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from acausal.api import CompiledModel
+from acausal.cli.commands import Target
+from acausal.cli.output import print_diagnostics, print_json, print_table, print_text
+from acausal.errors import UnsupportedProblem, UsageProblem, fail
+from acausal.export.c_export import export_c
+
+
+@dataclass(frozen=True)
+class Wish:
+    """The settings of `acausal export`, as they were typed."""
+
+    to: str
+    output: Path | None
+    name: str | None
+    solver: str
+    step: float | None
+    stop_time: float | None
+    interval: float | None
+    events: str
+    tunable: tuple[str, ...]
+    variables: tuple[str, ...]
+    everything: bool
+
+
+def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
+    """Compiles, writes, and says what was written. What cannot be exported leaves nothing behind."""
+    if wish.to != "c":
+        raise fail(UnsupportedProblem, "export.target", f"there is no export to {wish.to}", hint="use --to c")
+    if wish.output is not None and wish.output.exists() and not wish.output.is_dir():
+        raise fail(UsageProblem, "usage.output", f"`{wish.output}` is a file; an export to C is a folder")
+    compiled = CompiledModel(target.run())
+    print_diagnostics(compiled.warnings)
+    package = export_c(
+        compiled.code,
+        name=wish.name,
+        solver=wish.solver,
+        step=wish.step,
+        stop_time=wish.stop_time,
+        interval=wish.interval,
+        events=wish.events,
+        tunable=wish.tunable,
+        variables=wish.variables,
+        everything=wish.everything,
+    )
+    folder = wish.output if wish.output is not None else Path(package.name)
+    package.write(folder)
+    summary = {**package.summary(), "folder": str(folder)}
+    if as_json:
+        print_json(summary)
+        return
+    plan = package.plan
+    print_text(f"{package.plan.code.system.flat.name} as C in {folder}\n")
+    print_table(
+        [
+            ("states", str(len(plan.code.system.states))),
+            ("inputs", str(len(plan.code.system.flat.inputs))),
+            ("outputs", str(len(plan.outputs.names))),
+            ("tunable", str(len(plan.tunables))),
+            ("solver", f"{plan.options.solver} with steps of {plan.options.step:g} s"),
+            ("files", f"{len(package.files)}, {sum(map(len, package.files.values())) // 1024} KiB"),
+        ]
+    )
+    print_text(f"\nbuild it: make -C {folder}; run it: {folder}/{package.name} --help")

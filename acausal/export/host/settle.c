@@ -1,0 +1,411 @@
+/* Event iteration: modes, discrete variables and continuous unknowns that agree right after an instant.
+ *
+ * Inner loop: continuous blocks, modes and discrete equations are evaluated in turn until nothing changes, with the
+ * values before the event fixed. Where that goes round in circles, one mode at a time is changed (Murty's least-index
+ * rule), and then every assignment of the modes in doubt is tried. Outer loop: in its first pass a located relation
+ * has the value that its crossing gave it; then states are reset, what was found becomes the value before the event,
+ * and the inner loop runs again, until that changes nothing (Modelica 3.6, appendix B). All is bounded. */
+#include <math.h>
+#include <string.h>
+
+#include "acausal_host.h"
+
+#define BAND 1e-9
+#define NOISE 1e-14
+
+enum { ITERATIONS = 50, PER_MODE = 4, FOLLOWING = 10, TRIED = 10 };
+enum { SETTLED = 0, BROKEN = 1, CIRCLE = 2 };
+
+static size_t bytes(int n)
+{
+    return (size_t)n * sizeof(double);
+}
+
+/* Writes modes or frozen values; where they change the blocks must be solved again. */
+static void put(ac_run *r, double *to, const double *from, int n)
+{
+    if (memcmp(to, from, bytes(n)) != 0) {
+        memcpy(to, from, bytes(n));
+        r->model.settled = 0;
+    }
+}
+
+/* What holds now is what held before the event. */
+void ac_remember(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    if (plan->memory > 0) {
+        ac_solved(r);
+        (void)ac_point(r, plan->memory_of, r->before);
+        put(r, r->d + plan->unknowns, r->before, plan->memory);
+    }
+}
+
+/* Roots and their sizes at the present point. */
+static void look(ac_run *r)
+{
+    ac_solved(r);
+    if (r->plan->modes > 0) {
+        r->model.roots[0] = NAN;
+        (void)ac_call(&r->model.events);
+        (void)ac_call(&r->model.scales);
+    }
+}
+
+/* Whether a located root is too close to zero to say that its relation lost its mode. */
+static void close_ones(const ac_run *r, const double *roots, int *close)
+{
+    for (int i = 0; i < r->plan->modes; i++) {
+        close[i] = 0;
+    }
+    for (int k = 0; k < r->plan->located; k++) {
+        int i = r->plan->located_at[k];
+        close[i] = fabs(roots[i]) <= fabs(r->shift[k]);
+    }
+}
+
+/* The values that the relations have now, or a moment later where their root is zero, into `wanted`. */
+static int judged(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    const double *roots = r->model.roots;
+    double *seen = r->values; /* roots and then sizes, before the functions are called again */
+    int near = 0;
+    look(r);
+    for (int i = 0; i < plan->modes; i++) {
+        if (!isfinite(roots[i])) {
+            return ac_say(r, AC_FAILED, "the condition %s cannot be decided at time %.12g s: a side is not a number (%s)",
+                          plan->crossing[i].text, r->event_time, plan->crossing[i].place);
+        }
+        seen[i] = roots[i];
+        seen[plan->modes + i] = r->model.sizes[i];
+    }
+    ac_literal(plan, seen, r->wanted);
+    close_ones(r, seen, r->reached);
+    for (int i = 0; i < plan->modes; i++) {
+        double band = BAND * seen[plan->modes + i];
+        int crossed = r->crossed[i] != 0;
+        int kept = crossed && r->anchored;
+        if (kept) {
+            r->wanted[i] = r->m[i];
+        }
+        int located = crossed && fabs(seen[i] - r->event_roots[i]) <= band;
+        r->reached[i] = !kept && (located || fabs(seen[i]) <= band || r->reached[i]);
+        near |= r->reached[i];
+    }
+    if (!near) {
+        return 0;
+    }
+    for (int i = 0; i < plan->states; i++) {
+        r->later[i] = r->event_x[i] + r->ahead * r->model.xdot[i];
+    }
+    ac_at(r, r->event_time + r->ahead, r->later);
+    look(r);
+    for (int i = 0; i < plan->modes; i++) {
+        if (!r->reached[i]) {
+            continue;
+        }
+        if (fabs(roots[i] - seen[i]) > NOISE * seen[plan->modes + i]) {
+            int positive = plan->above[i] ? roots[i] > 0.0 : -roots[i] > 0.0;
+            r->wanted[i] = (double)(roots[i] == 0.0 ? plan->at_zero[i] : positive);
+        } else if (seen[i] != 0.0 || r->undecided) {
+            r->wanted[i] = r->m[i];
+        }
+    }
+    ac_at(r, r->event_time, r->event_x);
+    return 0;
+}
+
+/* The discrete equations, once, with the present modes; 0 or AC_FAILED. */
+static int follow(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    if (plan->unknowns == 0) {
+        return 0;
+    }
+    ac_solved(r);
+    r->values_d[0] = NAN;
+    (void)ac_point(r, plan->update, r->values_d);
+    for (int i = 0; i < plan->unknowns; i++) {
+        if (!isfinite(r->values_d[i])) {
+            return ac_say(r, AC_FAILED, "%s is not a number at time %.12g s (%s)", plan->discrete_name[i],
+                          r->event_time, plan->discrete_place[i]);
+        }
+    }
+    put(r, r->d, r->values_d, plan->unknowns);
+    return 0;
+}
+
+/* One pass over blocks, modes and discrete equations. */
+static int passed(ac_run *r, int one_by_one)
+{
+    const ac_plan *plan = r->plan;
+    int kept = 0;
+    int code = ac_settled(r);
+    code = code == 0 ? judged(r) : code;
+    if (code != 0) {
+        ac_keep(r);
+        return code;
+    }
+    for (int i = 0; i < plan->modes; i++) {
+        if (r->wanted[i] != r->m[i]) {
+            r->disputed[i] = 1;
+            if (!(one_by_one && kept)) {
+                r->m[i] = r->wanted[i];
+            }
+            kept = 1;
+        }
+    }
+    if (kept) {
+        r->model.settled = 0;
+    }
+    code = follow(r);
+    if (code != 0) {
+        ac_keep(r);
+    }
+    return code;
+}
+
+static int agree(const ac_run *r, const double *m, const double *d)
+{
+    return memcmp(r->m, m, bytes(r->plan->modes)) == 0 && ac_same(r->d, d, r->plan->frozen);
+}
+
+static void note(const ac_run *r, double *m, double *d)
+{
+    memcpy(m, r->m, bytes(r->plan->modes));
+    memcpy(d, r->d, bytes(r->plan->frozen));
+}
+
+static void back(ac_run *r, const double *m, const double *d)
+{
+    put(r, r->m, m, r->plan->modes);
+    put(r, r->d, d, r->plan->frozen);
+}
+
+static int iterated(ac_run *r, int one_by_one)
+{
+    int most = ITERATIONS + (one_by_one ? PER_MODE * r->plan->modes : 0);
+    int anchor = 1;
+    note(r, r->seen_m, r->seen_d);
+    for (int i = 1; i <= most; i++) {
+        note(r, r->old_m, r->old_d);
+        if (passed(r, one_by_one) != 0) {
+            return BROKEN;
+        }
+        if (agree(r, r->old_m, r->old_d)) {
+            return SETTLED;
+        }
+        if (agree(r, r->seen_m, r->seen_d)) {
+            return CIRCLE;
+        }
+        if (i == anchor) { /* whatever repeats is met again after twice as many steps at most (Brent 1980) */
+            anchor *= 2;
+            note(r, r->seen_m, r->seen_d);
+        }
+    }
+    return CIRCLE;
+}
+
+/* Whether everything agrees with the modes in doubt as they are chosen, once the rest has followed. */
+static int is_consistent(ac_run *r, const int *which, int count, int choice)
+{
+    for (int i = 0; i < FOLLOWING; i++) { /* the discrete values of these modes, before the modes are judged */
+        memcpy(r->old_d, r->d, bytes(r->plan->frozen));
+        if (follow(r) != 0) {
+            return 0;
+        }
+        if (ac_same(r->old_d, r->d, r->plan->frozen)) {
+            break;
+        }
+    }
+    for (int i = 0; i < ITERATIONS; i++) {
+        note(r, r->old_m, r->old_d);
+        if (passed(r, 0) != 0) {
+            return 0;
+        }
+        for (int k = 0; k < count; k++) {
+            if (r->m[which[k]] != (double)(choice >> (count - 1 - k) & 1)) {
+                return 0;
+            }
+        }
+        if (agree(r, r->old_m, r->old_d)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Every assignment of the modes in doubt, from where the circle was left; whether one is consistent. */
+static int tried(ac_run *r)
+{
+    int which[TRIED];
+    int count = 0;
+    for (int i = 0; i < r->plan->modes; i++) {
+        if (r->disputed[i] && count == TRIED) {
+            return 0;
+        }
+        if (r->disputed[i]) {
+            which[count++] = i;
+        }
+    }
+    for (r->undecided = 0; r->undecided <= 1; r->undecided++) {
+        for (int choice = 0; choice < 1 << count; choice++) {
+            back(r, r->seen_m, r->seen_d);
+            for (int k = 0; k < count; k++) {
+                r->m[which[k]] = (double)(choice >> (count - 1 - k) & 1);
+            }
+            if (is_consistent(r, which, count, choice)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+static int circling(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    for (int i = 0; i < plan->modes; i++) {
+        if (r->disputed[i]) {
+            return ac_say(r, AC_FAILED, "conditions switch back and forth at time %.12g s and do not settle: %s (%s)",
+                          r->event_time, plan->crossing[i].text, plan->crossing[i].place);
+        }
+    }
+    for (int i = 0; i < plan->unknowns; i++) {
+        if (r->seen_d[i] != r->old_d[i] || plan->unknowns == 1) {
+            return ac_say(r, AC_FAILED, "the event at time %.12g s does not end: %s changes again and again (%s)",
+                          r->event_time, plan->discrete_name[i], plan->discrete_place[i]);
+        }
+    }
+    return ac_say(r, AC_FAILED, "the event at time %.12g s does not end", r->event_time);
+}
+
+/* The inner loop. */
+static int agreed(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    int found = SETTLED;
+    if (plan->modes == 0 && plan->frozen == 0) {
+        return ac_settled(r);
+    }
+    r->first[0] = '\0';
+    memset(r->disputed, 0, (size_t)plan->modes * sizeof(int));
+    note(r, r->start_m, r->start_d);
+    for (int one_by_one = 0; one_by_one <= 1; one_by_one++) {
+        found = iterated(r, one_by_one);
+        if (found == SETTLED) {
+            return 0;
+        }
+        back(r, r->start_m, r->start_d);
+    }
+    if (found == BROKEN) {
+        memcpy(r->message, r->first, sizeof r->message);
+        return AC_FAILED;
+    }
+    int fine = tried(r);
+    r->undecided = 0;
+    return fine ? 0 : circling(r);
+}
+
+/* Notes checks and stops that are met, and resets states; whether any was reset. */
+static int acted(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    int n = plan->resets;
+    int c = plan->checks;
+    int any = 0;
+    if (n + c + plan->stops == 0) {
+        return 0;
+    }
+    double *values = r->found;
+    ac_solved(r);
+    (void)ac_point(r, plan->actions, values);
+    for (int i = 0; i < c; i++) {
+        if (values[2 * n + i] != 0.0 && values[2 * n + c + i] != 1.0) {
+            r->fired[i] = 1.0;
+        }
+    }
+    for (int i = 0; i < plan->stops; i++) {
+        if (values[2 * (n + c) + i] != 0.0) {
+            r->fired[c + i] = 1.0;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        if (values[i] != 0.0) {
+            r->event_x[plan->reset_state[i]] = values[n + i];
+            any = 1;
+        }
+    }
+    if (any) {
+        ac_at(r, r->event_time, r->event_x);
+    }
+    return any;
+}
+
+/* Notes the instant, and gives crossed relations their new values. */
+static int arrived(ac_run *r, const int *crossed)
+{
+    const ac_plan *plan = r->plan;
+    r->anchored = 0;
+    memset(r->crossed, 0, (size_t)plan->modes * sizeof(int));
+    if (crossed == NULL) {
+        return 0;
+    }
+    int code = ac_settled(r);
+    if (code != 0) {
+        return code;
+    }
+    look(r);
+    memcpy(r->event_roots, r->model.roots, bytes(plan->modes));
+    r->anchored = plan->frozen > 0;
+    for (int i = 0; i < plan->modes; i++) {
+        r->crossed[i] = crossed[i] != 0;
+        if (crossed[i] != 0) {
+            r->m[i] = (double)(plan->above[i] ? crossed[i] > 0 : crossed[i] < 0);
+        }
+    }
+    r->model.settled = 0;
+    return 0;
+}
+
+/* Iterates to a fixed point at this instant; the states after it are in `x`. `crossed` marks the roots that brought
+ * the solver here. */
+int ac_settle(ac_run *r, double time, double *x, const int *crossed)
+{
+    const ac_plan *plan = r->plan;
+    memset(r->fired, 0, bytes(plan->checks + plan->stops));
+    r->event_time = time;
+    memcpy(r->event_x, x, bytes(plan->states));
+    ac_at(r, time, x);
+    int code = arrived(r, crossed);
+    if (code != 0 || plan->frozen == 0) {
+        return code != 0 ? code : agreed(r);
+    }
+    for (int i = 0; i < ITERATIONS; i++) {
+        int again = r->anchored;
+        code = agreed(r);
+        if (code != 0) {
+            return code;
+        }
+        r->anchored = 0;
+        again |= acted(r);
+        memcpy(r->past, r->d + plan->unknowns, bytes(plan->memory));
+        ac_remember(r);
+        for (int k = 0; k < plan->memory; k++) {
+            again |= plan->judged[k] && !ac_same(r->past + k, r->d + plan->unknowns + k, 1);
+        }
+        if (!again) {
+            memcpy(x, r->event_x, bytes(plan->states));
+            return 0;
+        }
+    }
+    for (int k = 0; k < plan->memory; k++) {
+        if (plan->judged[k] && !ac_same(r->past + k, r->d + plan->unknowns + k, 1)) {
+            return ac_say(r, AC_FAILED, "the event at time %.12g s does not end: %s changed in each of %d iterations",
+                          time, plan->memory_name[k], ITERATIONS);
+        }
+    }
+    return ac_say(r, AC_FAILED, "the event at time %.12g s does not end: states are reset in each of %d iterations",
+                  time, ITERATIONS);
+}

@@ -1,0 +1,109 @@
+"""What cannot be exported as C, refused with the line of the model that holds it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from acausal.codegen.functions import Code
+from acausal.errors import AcausalError, Diagnostic, Span, UnsupportedProblem
+from acausal.simulate.messages import leaf_name, some
+from acausal.symbolic.causal import Block, CausalSystem
+from acausal.symbolic.expressions.expr import Expr, postorder
+from acausal.symbolic.expressions.kernels.patches import Patches
+from acausal.symbolic.expressions.kernels.piecewise import Piecewise
+
+LARGEST = 300
+"""Unknowns of a torn block, whose matrix is kept as a whole."""
+
+
+def check_c(code: Code) -> None:
+    """Raises `UnsupportedProblem` for every construct that has no C."""
+    problems = [*_kernels(code.system), *_states(code.system), *_delays(code.system), *_large(code)]
+    if problems:
+        raise UnsupportedProblem(problems)
+
+
+def _sides(system: CausalSystem) -> Iterator[tuple[Span, tuple[Expr, ...]]]:
+    """Every expression of the system with its place."""
+    for equation in system.equations:
+        yield equation.flat.span, (equation.left, equation.right)
+    for block in (*system.blocks, *system.initial.blocks):
+        yield from _of_block(block)
+    for assignment in (*system.discrete.assignments, *system.discrete.initial):
+        yield assignment.equation.flat.span, (assignment.value,)
+    for reset in system.discrete.resets:
+        yield reset.span, (reset.condition, reset.value)
+    for check in system.discrete.checks:
+        yield check.assertion.span, (check.condition, check.assertion.condition)
+    for stop in system.discrete.stops:
+        yield stop.termination.span, (stop.condition,)
+    for assertion in system.assertions:
+        yield assertion.span, (assertion.condition,)
+    for variable in system.flat.variables:
+        values = (variable.binding, variable.start, variable.nominal)
+        yield variable.span, tuple(value for value in values if value is not None)
+
+
+def _of_block(block: Block) -> Iterator[tuple[Span, tuple[Expr, ...]]]:
+    for assignment in block.assignments:
+        yield assignment.equation.flat.span, (assignment.value,)
+    for residual in block.residuals:
+        yield residual.equation.flat.span, (residual.value,)
+
+
+def _kernels(system: CausalSystem) -> Iterator[Diagnostic]:
+    seen: set[str] = set()
+    for span, roots in _sides(system):
+        for node in postorder(roots):
+            if node.op != "call" or isinstance(node.kernel, Piecewise | Patches):
+                continue
+            if node.kernel.result == "String" or node.kernel.key in seen:
+                continue
+            seen.add(node.kernel.key)
+            message = f"`{node.kernel.name}` is evaluated in Python and has no C"
+            hint = "replace the function by equations, or run the model inside Python"
+            yield Diagnostic("export.kernel", message, span, (node.kernel.name,), hint)
+
+
+def _states(system: CausalSystem) -> Iterator[Diagnostic]:
+    if system.dynamic is None:
+        return
+    monitor = system.dynamic.monitors[0]
+    names = (*monitor.solved_for, *monitor.alternatives)
+    message = (
+        f"the states change during a run: {some(monitor.solved_for)} may become {some(monitor.alternatives)}"
+    )
+    hint = "write the model in coordinates that are good everywhere, or fix the choice with stateSelect"
+    yield Diagnostic("export.dynamic-states", message, monitor.constraints[0].flat.span, names, hint)
+
+
+def _delays(system: CausalSystem) -> Iterator[Diagnostic]:
+    for node in system.delays[:1]:
+        span = _place_of(node, system)
+        hint = "replace the delay by a first-order lag or a line of volumes"
+        yield Diagnostic("export.delay", "`delay` cannot be exported", span, (), hint)
+
+
+def _place_of(node: Expr, system: CausalSystem) -> Span:
+    for span, roots in _sides(system):
+        if node in postorder(roots):
+            return span
+    return system.flat.span
+
+
+def _large(code: Code) -> Iterator[Diagnostic]:
+    for block in (*code.dynamic.blocks, *code.initial.blocks):
+        if len(block.tearing) > LARGEST:
+            names = tuple(map(leaf_name, block.tearing))
+            message = (
+                f"a block of {len(names)} unknowns after tearing is too large for an export: {some(names)}"
+            )
+            span = block.residuals[0].equation.flat.span
+            yield Diagnostic("export.large-block", message, span, names, f"at most {LARGEST} can be")
+
+
+def no_c(problem: RuntimeError, code: Code) -> AcausalError:
+    """What CasADi cannot write as C for a reason that was not foreseen."""
+    first = (str(problem).strip().splitlines() or ["no reason given"])[-1]
+    message = f"no C could be generated: {first[:200]}"
+    return UnsupportedProblem(Diagnostic("export.no-c", message, code.system.flat.span))

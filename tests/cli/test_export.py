@@ -1,0 +1,27 @@
+"""`acausal export`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.cli.calls import Call
+
+
+def test_export_to_c(call: Call, working_directory: Path) -> None:
+    done = call("export", "Tank.mo", "--to", "c", "-o", "out", "--step", "0.01", "--json")
+    assert done.status == 0
+    summary = json.loads(done.out)
+    assert summary["solver"] == "heun"
+    assert summary["step"] == 0.01
+    sizes = {path: (working_directory / "out" / path).stat().st_size for path in summary["files"]}
+    assert sizes == summary["files"]
+    assert summary["states"]
+    assert "Makefile" in sizes
+
+
+def test_export_into_a_file_is_refused(call: Call, working_directory: Path) -> None:
+    (working_directory / "taken").write_text("", encoding="utf-8")
+    done = call("export", "Tank.mo", "-o", "taken")
+    assert done.status == 2
+    assert "is a file" in done.err
