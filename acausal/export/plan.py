@@ -94,7 +94,7 @@ class Plan:
 
     @property
     def exact_rate(self) -> int:
-        """Which function gives the derivative by time: 0 none, since it is zero, 1 its own, 2 the Jacobian's."""
+        """Which function gives the derivative by time: 0 none (it is zero), 1 its own, 2 the Jacobian's."""
         slopes = self.code.quick.slopes
         if slopes is not None:
             return 2 if slopes.nnz_out(1) else 0
