@@ -2,9 +2,10 @@
 
 Inner loop. Continuous blocks, modes (see `events` for what happens at a zero root) and discrete equations
 are evaluated in turn until nothing changes; values before the event stay fixed. Where that goes round in
-circles, as it may for friction elements that share a loop, one mode at a time is changed (Murty's least-index
-rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of them; at
-last a root that rests at exactly zero, as that of a brake on a shaft that another one holds, may have either.
+circles, as it may for friction elements that share a loop, a root that rests at exactly zero, as that of a
+brake on a shaft that another one holds, keeps its mode; then one mode at a time is changed (Murty's
+least-index rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of
+them, at last with either for what rests at zero.
 
 Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
 the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before
@@ -33,6 +34,8 @@ from acausal.symbolic.expressions.expr import Expr, symbols
 
 MAX_ITERATIONS = 50
 _PER_MODE = 4
+_WAYS = ((False, False), (False, True), (True, False))
+"""How to iterate: one mode at a time or all, and whether what rests at exactly zero keeps its mode."""
 _FOLLOWING = 10
 MOST_TRIED = 10
 """Modes whose assignments are all tried."""
@@ -142,11 +145,15 @@ class Settling:
         self._disputed[:] = False
         start = Switched(evaluator.m.copy(), evaluator.d.copy())
         circle: list[Switched] = []
-        for one_by_one in (False, True):
+        for one_by_one, undecided in _WAYS:
+            self._instant = replace(self._instant, undecided=undecided)
             circle = self._iterate(one_by_one)
             if not circle:
-                return
+                break
             evaluator.m[:], evaluator.d[:] = start.m, start.d
+        self._instant = replace(self._instant, undecided=False)
+        if not circle:
+            return
         if self._error is not None and len(circle) == 1:
             raise self._error
         if not self._try_all(circle):
