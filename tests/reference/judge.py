@@ -55,9 +55,10 @@ def judge(model: str, libraries: list[Path], reference: Reference | None, solver
 
 
 def spacing(curve: Curve) -> float:
-    """The interval of the reference's grid."""
+    """The interval of the reference's grid, which it has as often as it fits into the run."""
     steps = np.diff(curve.time)
-    return float(np.max(steps[steps > 0]))
+    span = float(curve.time[-1] - curve.time[0])
+    return span / max(1, round(span / float(np.max(steps))))
 
 
 def worst(result: Result, curves: dict[str, Curve]) -> tuple[str, Deviation, int] | None:

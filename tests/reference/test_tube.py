@@ -63,6 +63,13 @@ def test_spike_of_its_own_is_found() -> None:
     assert deviation(Curve(time, spike), Curve(TIME, np.zeros(len(TIME)))) is None, "a pass of an iteration"
 
 
+def test_pass_at_the_start_need_not_be_there() -> None:
+    time = np.insert(TIME, 0, 0.0)
+    first = Curve(time, np.where(np.arange(len(time)) == 0, 1.0, 0.0))
+    assert deviation(first, Curve(TIME, np.zeros(len(TIME)))) is None
+    assert deviation(Curve(TIME, np.zeros(len(TIME))), first) is not None
+
+
 def test_value_that_is_no_number() -> None:
     values = SINE.values.copy()
     values[100] = np.nan

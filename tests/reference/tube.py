@@ -1,8 +1,10 @@
 """Whether a signal stays in a tube around another one.
 
 The tube of a reference has the half width `0.002 * (largest - smallest value)`, with room for the rounding of
-what is constant. Near events, of either side, it also reaches over everything that the other signal has
-within a short time: an event may come so much earlier or later. Elsewhere time is exact.
+what is constant. Both are compared at the points of the reference. Near events, of either side, the tube also
+reaches over everything that the other signal has within a short time: an event may come so much earlier or
+later. Elsewhere time is exact. Jumps of the signal have to be jumps of the reference, too; the other way
+round, what a reference shows for less than that time, as the passes of an event iteration, need not be there.
 """
 
 from __future__ import annotations
@@ -47,23 +49,26 @@ class Deviation:
 
 
 def deviation(reference: Curve, found: Curve) -> Deviation | None:
-    """The worst place outside of the tube, None if there is none.
-
-    All points of `found` are looked at, and those of the reference that are not near an event: what a
-    reference shows for less than the shift, as the passes of an event iteration, need not be there.
-    """
+    """The worst place outside of the tube, None if there is none."""
     start = max(reference.time[0], found.time[0])
     end = min(reference.time[-1], found.time[-1])
     span = float(reference.time[-1] - reference.time[0])
     if end - start < (1 - 1e-6) * span:
         return Deviation(float(end), float(reference.values[-1]), float("nan"), float("inf"))
-    tube = _Tube(half_width(reference.values), SHIFT * min(1.0, span), _events(reference, found))
-    back = _clip(found, reference.time[0], reference.time[-1])
-    worst = tube.farthest(back, reference, everywhere=True)
-    other = tube.farthest(reference, found, everywhere=False)
-    if other is not None and (worst is None or other.widths > worst.widths):
-        worst = Deviation(other.time, other.found, other.expected, other.widths)
-    return worst
+    width, shift = half_width(reference.values), SHIFT * min(1.0, span)
+    events = np.unique(np.concatenate([reference.events, found.events]))
+    expected = _off(reference, found, events, shift) / width
+    expected[expected > 1.0] *= ~_is_short(reference, found, shift, width)[expected > 1.0]
+    jumps = _jumps(found, width)
+    own = _off(jumps, reference, events, shift) / width
+    worst, at_jump = int(np.argmax(expected)), int(np.argmax(own)) if len(own) else -1
+    if at_jump >= 0 and own[at_jump] > max(1.0, expected[worst]):
+        time, value = float(jumps.time[at_jump]), float(jumps.values[at_jump])
+        return Deviation(time, _value(reference, time), value, float(own[at_jump]))
+    if expected[worst] > 1.0:
+        time, value = float(reference.time[worst]), float(reference.values[worst])
+        return Deviation(time, value, _value(found, time), float(expected[worst]))
+    return None
 
 
 def half_width(values: Vector) -> float:
@@ -72,43 +77,43 @@ def half_width(values: Vector) -> float:
     return SHARE * span + _ROUNDING * float(np.abs(values).max()) + _NOTHING
 
 
-def _events(*curves: Curve) -> Vector:
-    return np.unique(np.concatenate([curve.events for curve in curves]))
+def _value(curve: Curve, time: float) -> float:
+    return float(np.interp(time, curve.time, curve.values))
 
 
-def _clip(curve: Curve, start: float, end: float) -> Curve:
-    inside = (curve.time >= start) & (curve.time <= end)
-    return Curve(curve.time[inside], curve.values[inside])
+def _jumps(curve: Curve, width: float) -> Curve:
+    """Both sides of the curve's jumps that are higher than `width`."""
+    after = np.flatnonzero((np.diff(curve.time) <= 0) & ~(np.abs(np.diff(curve.values)) <= width))
+    which = np.unique(np.concatenate([after, after + 1]))
+    return Curve(curve.time[which], curve.values[which])
 
 
-@dataclass(frozen=True, eq=False)
-class _Tube:
-    width: float
-    shift: float
-    events: Vector
+def _off(points: Curve, line: Curve, events: Vector, shift: float) -> Vector:
+    """How far each of `points` is from what `line` has there, or near events about there."""
+    low, high = _reach(line, points.time, np.where(_near(events, points.time, shift), shift, 0.0))
+    off = np.maximum(low - points.values, points.values - high)
+    return np.nan_to_num(np.maximum(off, 0.0), nan=np.inf)
 
-    def farthest(self, points: Curve, line: Curve, *, everywhere: bool) -> Deviation | None:
-        """The point that is farthest from `line`, of all or of those that are not near an event."""
-        near = self._near(points.time)
-        low, high = _reach(line, points.time, np.where(near, self.shift, 0.0))
-        off = np.maximum(low - points.values, points.values - high) / self.width
-        if not everywhere:
-            off[near] = 0.0
-        worst = int(np.argmax(np.nan_to_num(off, nan=np.inf)))
-        if off[worst] <= 1.0:
-            return None
-        value = float(points.values[worst])
-        nearest = float(np.clip(value, low[worst], high[worst]))
-        return Deviation(float(points.time[worst]), nearest, value, float(off[worst]))
 
-    def _near(self, time: Vector) -> NDArray[np.bool_]:
-        """Which instants are close to an event."""
-        if not len(self.events):
-            return np.zeros(len(time), dtype=np.bool_)
-        after = np.searchsorted(self.events, time)
-        left = self.events[np.maximum(after - 1, 0)]
-        right = self.events[np.minimum(after, len(self.events) - 1)]
-        return (np.abs(time - left) <= self.shift) | (np.abs(time - right) <= self.shift)
+def _is_short(reference: Curve, found: Curve, shift: float, width: float) -> NDArray[np.bool_]:
+    """Where the reference is with the other signal again within the shift: before, but at the start, and after."""
+    around = np.full(len(reference.time), shift)
+    low, high = _reach(found, reference.time, around)
+    fine = np.ones(len(reference.time), dtype=np.bool_)
+    for side in (-shift, shift):
+        then = reference.time + side
+        near = np.interp(then, reference.time, reference.values)
+        fine &= ((near >= low - width) & (near <= high + width)) | (then < reference.time[0])
+    return fine & _near(reference.events, reference.time, shift)
+
+
+def _near(events: Vector, time: Vector, shift: float) -> NDArray[np.bool_]:
+    """Which instants are close to an event."""
+    if not len(events):
+        return np.zeros(len(time), dtype=np.bool_)
+    after = np.searchsorted(events, time)
+    left, right = events[np.maximum(after - 1, 0)], events[np.minimum(after, len(events) - 1)]
+    return (np.abs(time - left) <= shift) | (np.abs(time - right) <= shift)
 
 
 def _reach(line: Curve, time: Vector, around: Vector) -> tuple[Vector, Vector]:
