@@ -35,7 +35,7 @@ enum {
     AC_RODAS3 = 7
 };
 
-enum { AC_MAX_STAGES = 8, AC_MAX_LOOKS = 64, AC_VECTORS = 13, AC_ROOTS_OF = 6 };
+enum { AC_MAX_STAGES = 8, AC_MAX_LOOKS = 64, AC_VECTORS = 13, AC_ROOTS_OF = 7 };
 
 typedef long long ac_long; /* CasADi's integer */
 
@@ -113,7 +113,7 @@ typedef struct {
     double *x0, *x1, *f0, *f1, *f_old;
     double *k1, *k2, *k3;      /* dense output, see ac_interpolate */
     double *stage, *k, *scale, *ratio, *error;
-    double *side, *slack, *g_old, *g_new, *g_try, *g_mid;
+    double *side, *slack, *slack0, *g_old, *g_new, *g_try, *g_mid;
     int *crossed;
     int have_step, have_f0, have_old, have_jacobian, have_dense, first, last_rejected;
     double h_next, h_accepted, err_accepted, h_old;
@@ -165,6 +165,7 @@ void ac_lu_solve(const ac_lu *lu, const double *b, double *x);
 int ac_prepare(ac_solver *s, double h, double gamma);
 int ac_stages(ac_solver *s, const ac_rosenbrock *table, double h);
 int ac_variable_step(ac_solver *s, double until);
+void ac_shorter(ac_solver *s, double h);
 int ac_fixed_step(ac_solver *s, double until);
 int ac_explicit(ac_solver *s, double h);
 double ac_first_step(ac_solver *s, double until);

@@ -28,7 +28,7 @@ void ac_init(ac_solver *s, double *doubles, int *ints)
     int n = m->states;
     double **const vectors[] = {&s->x,  &s->x0, &s->x1,    &s->f0,    &s->f1,    &s->f_old, &s->k1,
                                 &s->k2, &s->k3, &s->stage, &s->scale, &s->error, &s->influence};
-    double **const roots[] = {&s->side, &s->slack, &s->g_old, &s->g_new, &s->g_try, &s->g_mid};
+    double **const roots[] = {&s->side, &s->slack, &s->slack0, &s->g_old, &s->g_new, &s->g_try, &s->g_mid};
     for (size_t i = 0; i < sizeof vectors / sizeof vectors[0]; i++) {
         *vectors[i] = take(&doubles, n);
     }
@@ -143,17 +143,55 @@ static int stopped(ac_solver *s)
     return code;
 }
 
-/* The next step and what it crosses: 0, AC_EVENT or an error. */
-static int moved(ac_solver *s, double until)
+#define EARLY 1e-3 /* of a step: a crossing before that is found again by a shorter one */
+
+/* A step of variable length and what it crosses. So early in a long step the interpolation says little about
+ * parts that settle much faster: what crosses there is looked at with a step that fits. */
+static int variable(ac_solver *s, double until)
 {
-    double began = s->clock != NULL ? s->clock() : 0.0;
-    int code = s->method == AC_RODAS5P ? ac_variable_step(s, until) : ac_fixed_step(s, until);
+    ac_model *m = s->model;
+    size_t roots = (size_t)m->crossings * sizeof(double);
+    memcpy(s->slack0, s->slack, roots);
+    for (;;) {
+        int code = ac_variable_step(s, until);
+        if (code != 0) {
+            return code;
+        }
+        s->have_step = 1;
+        s->t = s->t1;
+        code = ac_search(s);
+        double early = s->t - s->t0;
+        if (code != AC_EVENT || early >= EARLY * (s->t1 - s->t0) || s->t1 - s->t0 <= 16.0 * s->min_step) {
+            return code;
+        }
+        ac_shorter(s, fmax(8.0 * early, 8.0 * s->min_step));
+        memcpy(s->slack, s->slack0, roots);
+        code = ac_roots(m, s->t0, s->x0, s->g_old);
+        if (code != 0) {
+            return code;
+        }
+    }
+}
+
+static int fixed(ac_solver *s, double until)
+{
+    int code = ac_fixed_step(s, until);
     if (code != 0) {
         return code;
     }
     s->have_step = 1;
     s->t = s->t1;
-    code = ac_search(s);
+    return ac_search(s);
+}
+
+/* The next step and what it crosses: 0, AC_EVENT or an error. */
+static int moved(ac_solver *s, double until)
+{
+    double began = s->clock != NULL ? s->clock() : 0.0;
+    int code = s->method == AC_RODAS5P ? variable(s, until) : fixed(s, until);
+    if (code < 0) {
+        return code;
+    }
     if (code == AC_EVENT) {
         int problem = stopped(s);
         code = problem != 0 ? problem : code;

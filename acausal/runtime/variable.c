@@ -212,3 +212,14 @@ int ac_variable_step(ac_solver *s, double until)
         }
     }
 }
+
+/* Takes the last step back; the next is of length h. */
+void ac_shorter(ac_solver *s, double h)
+{
+    s->t = s->t1 = s->t0;
+    memcpy(s->x1, s->x0, (size_t)s->model->states * sizeof(double));
+    s->h_next = s->h_accepted = h;
+    s->err_accepted = 1e-2;
+    s->last_rejected = 1;
+    s->rejected++;
+}

@@ -41,6 +41,8 @@ def judge(model: str, libraries: list[Path], reference: Reference | None, solver
     except AcausalError as error:
         first = error.diagnostics[0]
         reason = f"[{first.code}] {first.message}"
+        for folder in libraries:
+            reason = reason.replace(f"{folder}/", "")
         return Verdict(model, FAILS, 0, reason, process_time() - began)
     if reference is None or not curves:
         reason = "no reference" if reference is None else "the reference has no table"

@@ -96,7 +96,7 @@ def _off(points: Curve, line: Curve, events: Vector, shift: float) -> Vector:
 
 
 def _is_short(reference: Curve, found: Curve, shift: float, width: float) -> NDArray[np.bool_]:
-    """Where the reference is with the other signal again within the shift: before, but at the start, and after."""
+    """Where the reference is with the other signal again within the shift, on both sides."""
     around = np.full(len(reference.time), shift)
     low, high = _reach(found, reference.time, around)
     fine = np.ones(len(reference.time), dtype=np.bool_)
