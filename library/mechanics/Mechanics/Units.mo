@@ -9,6 +9,8 @@ package Units "Physical quantities of mechanics, all in SI units"
   type Inertia = Real(final quantity = "MomentOfInertia", final unit = "kg.m2", min = 0) "Moment of inertia";
   type RotationalSpringConstant = Real(final quantity = "RotationalSpringConstant", final unit = "N.m/rad", min = 0)
     "Torsional stiffness";
+  type TorsionalModulus = Real(final quantity = "TorsionalModulus", final unit = "N/rad", min = 0)
+    "Torsional stiffness over a length";
   type RotationalDampingConstant = Real(
     final quantity = "RotationalDampingConstant",
     final unit = "N.m.s/rad",

@@ -10,6 +10,8 @@ model Architecture "Eight bodies, four gearsets, three clutches, three brakes, t
   Hydraulics.Interfaces.Port portLockup "Pressure of the lock-up clutch, upstream of its feed orifice";
   Signals.Interfaces.BooleanInput lockBothWays "Command of the two-way clutch";
   Signals.Interfaces.RealOutput lockupForce(unit = "N") "Normal force of the lock-up clutch";
+  Mechanics.Units.Power lossPower "Power taken by gears, clutches, brakes and two-way clutch";
+  Mechanics.Units.Energy storedEnergy "Energy of motion, and elastic energy of gears";
   // Bodies
   Mechanics.Rotational.Components.Inertia body[8](J = J, each stateSelect = StateSelect.prefer) "Rotating bodies";
   // Gearsets
@@ -104,6 +106,12 @@ equation
   connect(cylinderB2.f_normal, B2.f_normal);
   connect(cylinderB3.f_normal, B3.f_normal);
   connect(cylinderLockup.f_normal, lockupForce);
+  // Energy; what sticking plates store counts as taken by them
+  lossPower = P1.lossPower + P2.lossPower + P3.lossPower + P4.lossPower + outputGear.lossPower
+    + C1.tau*C1.w_rel + C2.tau*C2.w_rel + C3.tau*C3.w_rel + B1.tau*B1.w_rel + B2.tau*B2.w_rel + B3.tau*B3.w_rel
+    + F1.lossPower;
+  storedEnergy = 0.5*(J*(body.w.^2)) + P1.storedEnergy + P2.storedEnergy + P3.storedEnergy + P4.storedEnergy
+    + outputGear.storedEnergy;
   annotation(Documentation(info = "<html>
 <p>Seven cylinders with three states each are 21; the rest are angles and speeds: of all eight bodies with elastic
 gearsets, of four degrees of freedom with rigid ones.</p>

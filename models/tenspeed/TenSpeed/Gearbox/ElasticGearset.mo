@@ -13,6 +13,7 @@ equation
   connect(ring, gears.ring);
   connect(carrier, planets.flange_a);
   lossPower = gears.elasticity.lossPower;
+  storedEnergy = gears.elasticity.storedEnergy + 0.5*planets.J*planets.w^2;
   annotation(Documentation(info = "<html>
 <p>No state of its own: the planets move with the carrier, and their own rotation is neglected.</p>
 </html>"));

@@ -23,6 +23,7 @@ equation
   connect(carrier, gears.carrier);
   connect(ring, gears.ring);
   lossPower = gears.lossPower;
+  storedEnergy = gears.storedEnergy;
   annotation(Documentation(info = "<html>
 <p>Four states per planet: own rotation and motion about the main axis.</p>
 </html>"));

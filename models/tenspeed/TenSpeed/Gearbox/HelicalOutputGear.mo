@@ -13,6 +13,7 @@ equation
   connect(flange_a, gears.flange_a);
   connect(gears.flange_b, flange_b);
   lossPower = gears.lossPower;
+  storedEnergy = gears.storedEnergy;
   annotation(Documentation(info = "<html>
 <p>Ratio 1:1. The inertia behind it is a degree of freedom of its own.</p>
 </html>"));

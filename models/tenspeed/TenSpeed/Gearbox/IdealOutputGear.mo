@@ -6,6 +6,7 @@ equation
   connect(flange_a, gears.flange_a);
   connect(gears.flange_b, flange_b);
   lossPower = 0;
+  storedEnergy = 0;
   annotation(Documentation(info = "<html>
 <p>Ratio 1:1.</p>
 </html>"));

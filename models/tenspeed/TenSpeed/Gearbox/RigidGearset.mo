@@ -13,6 +13,7 @@ equation
   connect(carrier, gears.carrier);
   connect(ring, gears.ring);
   lossPower = 0;
+  storedEnergy = gears.storedEnergy;
   annotation(Documentation(info = "<html>
 <p>A constraint between the three shafts: it takes one degree of freedom away. The planets' inertia stays in.</p>
 </html>"));

@@ -21,12 +21,16 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
     values = {{if engaged[row[j], k] then p_on else p_off for j in 1:25} for k in 1:6},
     each duration = duration) "Schedule of C1, C2, C3, B1, B2, B3";
   Signals.Sources.SmoothSteps torque(times = {2, 6, 25, 47}, values = {tau_in, 0, tau_in, 0, 0}) "Schedule of the input";
-  Signals.Sources.SmoothSteps brakeForce(times = {2, 5.5, 25, 44}, values = {0, 22000, 0, 11600, 22000})
-    "Schedule of the brake; chosen: holds 400 N.m in park and neutral, 200 N.m in the downshifts";
+  Gearbox.BrakeSchedule brakeForce(
+    J = vehicle.inertia.J,
+    c_drag = vehicle.c_drag,
+    leverArm = brake.leverArm) "Schedule of the brake";
   Hydraulics.Sources.PressureSignal source[6] "Prescribed pressures";
   Hydraulics.Sources.PressureSource lockup(p_start = 1.1e5) "Lock-up clutch stays open";
   output Mechanics.Units.Ratio ratio "Speed of body 1 over speed of body 8 where it turns faster than 1 rad/s, else 0";
   output Mechanics.Units.Torque outputTorque "Torque of the gearbox on the output shaft";
+  output Mechanics.Units.Power inputPower "Power of the drive";
+  output Mechanics.Units.Power outputPower "Power of the gearbox on the output shaft";
   output Integer gear "1 to 10, -1 in reverse, 0 in park and neutral: as commanded";
   output Mechanics.Units.AngularVelocity slip_C1 = gearbox.C1.w_rel "Slip of C1";
   output Mechanics.Units.AngularVelocity slip_C2 = gearbox.C2.w_rel "Slip of C2";
@@ -50,6 +54,7 @@ equation
   connect(gearbox.flange_out, brake.flange_b);
   connect(brake.flange_a, case.flange);
   connect(brakeForce.y, brake.f_normal);
+  brakeForce.w = vehicle.inertia.w;
   // Pressures
   connect(pressure.y, source.p);
   connect(source.port, gearbox.port);
@@ -59,6 +64,8 @@ equation
   // Observed
   ratio = noEvent(if abs(gearbox.body[8].w) > 1 then gearbox.body[1].w/gearbox.body[8].w else 0);
   outputTorque = -gearbox.flange_out.tau;
+  inputPower = engine.tau*gearbox.body[1].w;
+  outputPower = outputTorque*vehicle.inertia.w;
   gear = if time < 2 or time >= 48 then -1
     elseif time < 6 or time >= 44 then 0
     elseif time < 26 then integer((time - 4)/2)

@@ -5,6 +5,7 @@ partial model PartialGearset "Planetary gearset between three shafts"
   Mechanics.Rotational.Interfaces.Flange carrier "Carrier shaft";
   Mechanics.Rotational.Interfaces.Flange ring "Ring shaft";
   Mechanics.Units.Power lossPower "Power turned into heat";
+  Mechanics.Units.Energy storedEnergy "Energy of motion of the planets, and elastic energy";
   annotation(Documentation(info = "<html>
 <p>What every level of a gearset has in common.</p>
 </html>"));

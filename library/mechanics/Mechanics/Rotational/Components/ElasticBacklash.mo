@@ -7,6 +7,7 @@ model ElasticBacklash "Elastic, damped coupling of two shafts with play"
   parameter Units.Angle depth(min = 1e-12) = 1e-5
     "Wind-up over which the damping builds up; chosen: small against the wind-up under load";
   Units.Power lossPower "Power turned into heat";
+  Units.Energy storedEnergy "Energy of the spring";
 protected
   Units.Torque tau_c "Elastic part of the torque";
 equation
@@ -15,6 +16,7 @@ equation
   // Energy
   tau_c = Functions.backlashTorque(phi_rel, 0, b, c, 0, depth);
   lossPower = (tau - tau_c)*w_rel;
+  storedEnergy = smooth(1, noEvent(c/2*max(0, abs(phi_rel) - b/2)^2));
   annotation(Documentation(info = "<html>
 <p>tau = 0 within the play, c (phi_rel &plusmn; b/2) plus damping beyond it, never pulling a contact together. The
 torque is continuous and makes no event.</p>

@@ -19,6 +19,7 @@ model HelicalGearPair "Pair of helical gears with elastic, damped mesh and backl
   Units.Velocity delta_dot "Its rate";
   Units.Force F "Tangential force at the pitch circles";
   Units.Power lossPower "Power turned into heat";
+  Units.Energy storedEnergy "Energy of the mesh";
 equation
   // Deflection; flange_b counts positive in the direction in which flange_a drives it
   delta = R_a*flange_a.phi - R_b*flange_b.phi;
@@ -30,6 +31,7 @@ equation
   flange_b.tau = -R_b*F;
   // Energy
   lossPower = (F - projection*Functions.backlashForce(projection*delta, 0, projection*b, c, 0, depth))*delta_dot;
+  storedEnergy = Functions.backlashEnergy(projection*delta, projection*b, c);
   annotation(Documentation(info = "<html>
 <p>delta = R_a phi_a - R_b phi_b with R = m_t Z / 2 and the transverse module m_t = m_n / cos(beta). Along the line of
 action deflection and force are those at the pitch circle times and over cos(alpha_t), tan(alpha_t) = tan(alpha_n) /

@@ -47,8 +47,10 @@ model HelicalPlanetary "Planetary gearset with individual planets on elastic bea
   Units.Force F_ring[N] "Tangential forces at the ring, positive when the ring drives";
   Units.Force F_bearing[N] "Forces of the bearings, positive when the carrier drives";
   Units.Power lossPower "Power turned into heat";
+  Units.Energy storedEnergy "Energy of the planets' motion, of the meshes and of the bearings";
 protected
   Units.Force F_elastic[3, N] "The same forces without damping";
+  Units.Energy E_elastic[N] "Energy of the springs at each planet";
 equation
   for i in 1:N loop
     // Motion
@@ -74,6 +76,9 @@ equation
     F_elastic[1, i] = projection*Functions.backlashForce(projection*delta_sun[i], 0, projection*b_mesh, c_sun, 0, depth);
     F_elastic[2, i] = projection*Functions.backlashForce(projection*delta_ring[i], 0, projection*b_mesh, c_ring, 0, depth);
     F_elastic[3, i] = Functions.backlashForce(delta_bearing[i], 0, b_bearing, c_bearing, 0, depth);
+    E_elastic[i] = Functions.backlashEnergy(projection*delta_sun[i], projection*b_mesh, c_sun)
+      + Functions.backlashEnergy(projection*delta_ring[i], projection*b_mesh, c_ring)
+      + Functions.backlashEnergy(delta_bearing[i], b_bearing, c_bearing);
   end for;
   // Torques on the shafts
   sun.tau = R_s*sum(F_sun);
@@ -82,6 +87,7 @@ equation
   // Energy
   lossPower = (F_sun - F_elastic[1, :])*v_sun + (F_ring - F_elastic[2, :])*v_ring
     + (F_bearing - F_elastic[3, :])*v_bearing;
+  storedEnergy = 0.5*(J_self*w_planet*w_planet + J_orbit*w_orbit*w_orbit) + sum(E_elastic);
   annotation(Documentation(info = "<html>
 <p>Each planet turns about its own axis (J_self) and moves about the main axis (J_orbit); its meshes with sun and ring
 and its bearing are springs with damping and play:</p>

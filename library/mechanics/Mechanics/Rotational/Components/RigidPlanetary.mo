@@ -13,6 +13,7 @@ model RigidPlanetary "Planetary gearset without elasticity or backlash, with the
   Units.AngularVelocity w_planet(start = 0) "Its rate";
   Units.AngularVelocity w_carrier(start = 0) "Speed of the carrier";
   Units.Torque tau_sun "Of the tooth forces at the sun, times Z_p/Z_s: on all planets";
+  Units.Energy storedEnergy "Energy of the planets' motion";
   Units.Torque tau_ring "Of the tooth forces at the ring, times Z_p/Z_r: on all planets";
 equation
   // Rolling without slip of the planets on sun and ring
@@ -27,6 +28,8 @@ equation
   // Newton's law for all planets, about their own axes and about the main axis
   N*J_self*der(w_planet) = tau_ring - tau_sun;
   N*J_orbit*der(w_carrier) = carrier.tau + (Z_s + Z_p)/Z_p*(tau_sun + tau_ring);
+  // Energy
+  storedEnergy = 0.5*N*(J_self*w_planet^2 + J_orbit*w_carrier^2);
   annotation(Documentation(info = "<html>
 <p>Pitch radii stand as the numbers of teeth: Z_s phi_s = (Z_s + Z_p) phi_c - Z_p phi_p and Z_r phi_r = (Z_s + Z_p) phi_c
 + Z_p phi_p, which together are the equation of Willis. The planets turn with the constraint and orbit with the
