@@ -104,8 +104,8 @@ def report(level: int, stop_time: float) -> Iterable[str]:
     yield f"level {level}: {run.statistics.steps} steps, {run.statistics.events} events"
     for one in gears(run):
         yield (
-            f"  {one.until:5.1f} s, gear {one.gear:2d}: ratio {one.ratio:7.4f}, without creep {one.error:+.4f}"
-            f" from the table, slip {one.slip:.1e} rad/s, output at {one.output_speed:6.1f} rad/s"
+            f"  {one.until:4.1f} s, gear {one.gear:2d}: ratio {one.ratio:7.4f}, no creep {one.error:+.4f} off"
+            f" the table, slip {one.slip:.1e} rad/s, output at {one.output_speed:6.1f} rad/s"
         )
     worst = max(overload(run).items(), key=lambda item: item[1])
     yield f"  largest torque over capacity {worst[1]:.6f} ({worst[0]})"

@@ -24,8 +24,10 @@ AT_REST = (
     "Hydraulics.Examples.ReliefSpool",
     "Hydraulics.Examples.SpoolBetweenStops",
     "Hydraulics.Examples.ThreeWaySpool",
+    "Mechanics.Rotational.Examples.ElasticPlanetaryWindUp",
     "Mechanics.Rotational.Examples.GearPairWindUp",
     "Mechanics.Rotational.Examples.HelicalPlanetaryWindUp",
+    "Mechanics.Rotational.Examples.SmoothClutchCreeps",
     "Mechanics.Translational.Examples.ClutchPistonAtPack",
 )
 """`error` is a balance of forces that holds at rest, at the end."""

@@ -6,6 +6,8 @@ package Units "Physical quantities of mechanics, all in SI units"
   type AngularAcceleration = Real(final quantity = "AngularAcceleration", final unit = "rad/s2")
     "Angular acceleration";
   type Torque = Real(final quantity = "Torque", final unit = "N.m") "Torque";
+  type AngularMomentum = Real(final quantity = "AngularMomentum", final unit = "N.m.s") "Angular momentum";
+  type TorqueRate = Real(final quantity = "TorqueRate", final unit = "N.m/s") "Torque over time";
   type Inertia = Real(final quantity = "MomentOfInertia", final unit = "kg.m2", min = 0) "Moment of inertia";
   type RotationalSpringConstant = Real(final quantity = "RotationalSpringConstant", final unit = "N.m/rad", min = 0)
     "Torsional stiffness";
@@ -36,6 +38,8 @@ package Units "Physical quantities of mechanics, all in SI units"
   type Energy = Real(final quantity = "Energy", final unit = "J") "Energy";
   type RotationalTime = Real(final quantity = "Time", final unit = "s/rad", min = 0)
     "Inverse of an angular velocity";
+  type DragConstant = Real(final quantity = "DragConstant", final unit = "N.m.s2/rad2", min = 0)
+    "Torque over speed squared";
   type Area = Real(final quantity = "Area", final unit = "m2") "Area";
   type Power = Real(final quantity = "Power", final unit = "W") "Power";
   type Ratio = Real(final quantity = "Ratio", final unit = "1") "Dimensionless ratio";

@@ -37,10 +37,10 @@ model Architecture "Eight bodies, four gearsets, three clutches, three brakes, t
   Clutch B3(N_f = 4) "Body 7 and case";
   Mechanics.Rotational.Components.TwoWayClutch F1 "Body 4 and case";
   Mechanics.Rotational.Components.Fixed case "Case";
-  // Cylinders
-  Hydraulics.Components.ClutchCylinder cylinderC1(final fluid = fluid, A = 70e-4, rotating = true) "Of C1";
-  Hydraulics.Components.ClutchCylinder cylinderC2(final fluid = fluid, A = 60e-4, rotating = true) "Of C2";
-  Hydraulics.Components.ClutchCylinder cylinderC3(final fluid = fluid, A = 70e-4, rotating = true) "Of C3";
+  // Cylinders; outer radius of the cancellation chambers chosen: open clutches stay open up to 700 rad/s
+  Hydraulics.Components.ClutchCylinder cylinderC1(final fluid = fluid, A = 70e-4, rotating = true, r_oc = 0.079) "Of C1";
+  Hydraulics.Components.ClutchCylinder cylinderC2(final fluid = fluid, A = 60e-4, rotating = true, r_oc = 0.079) "Of C2";
+  Hydraulics.Components.ClutchCylinder cylinderC3(final fluid = fluid, A = 70e-4, rotating = true, r_oc = 0.079) "Of C3";
   Hydraulics.Components.ClutchCylinder cylinderB1(final fluid = fluid, A = 60e-4) "Of B1";
   Hydraulics.Components.ClutchCylinder cylinderB2(final fluid = fluid, A = 60e-4) "Of B2";
   Hydraulics.Components.ClutchCylinder cylinderB3(final fluid = fluid, A = 80e-4) "Of B3";

@@ -2,7 +2,7 @@ within TenSpeed.Gearbox;
 block BrakeSchedule "Normal force of the brake on the output shaft over the shift sweep, sized by the speed"
   parameter Mechanics.Units.Inertia J "Inertia of the vehicle at the output shaft";
   parameter Mechanics.Units.Inertia J_gearbox = 0.3 "Of the gearbox, seen there; chosen: mean of the gears";
-  parameter AirResistance c_drag "Drag over speed squared";
+  parameter Mechanics.Units.DragConstant c_drag "Drag over speed squared";
   parameter Mechanics.Units.Length leverArm "Torque of the brake over normal force and friction coefficient";
   parameter Mechanics.Units.Ratio mu = 0.121 "Friction coefficient while it slips; chosen: of its plates at 100 rad/s";
   parameter Mechanics.Units.Torque tau_hold = 400 "Torque in park and neutral";
@@ -15,7 +15,6 @@ block BrakeSchedule "Normal force of the brake on the output shaft over the shif
   discrete Mechanics.Units.Torque tau_long(start = 0, fixed = true) "Torque from 25 s to 42 s";
   discrete Mechanics.Units.Torque tau_last(start = 0, fixed = true) "Torque from 42 s to 43.45 s";
 protected
-  type AirResistance = Real(final unit = "N.m.s2/rad2") "Torque over speed squared";
   constant Mechanics.Units.Time starts[6] = {2, 5.5, 25, 42, 43.45, 44} "Starts of the ramps";
   Mechanics.Units.Ratio rise[6] "Progress of the ramps";
 equation

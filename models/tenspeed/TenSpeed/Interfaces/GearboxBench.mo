@@ -11,7 +11,9 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
     "Times at which the sequence goes on";
   constant Boolean engaged[12, 7] = cat(1, GearTable.engaged, {{false, false, false, false, true, false, false}})
     "The table of gears with park and neutral below it";
-  replaceable Gearbox.Architecture gearbox "Gearbox";
+  replaceable Gearbox.Architecture gearbox constrainedby Gearbox.Architecture(
+    cylinderB2(chamber(p(start = p_on)), piston(s(start = 5.117e-3))),
+    cylinderC3(chamber(p(start = p_on)), piston(s(start = 5.139e-3)))) "Gearbox; reverse is engaged at the start";
   Gearbox.VehicleLoad vehicle "Vehicle";
   Mechanics.Rotational.Sources.TorqueSignal engine "Input torque";
   Mechanics.Rotational.Components.ElasticClutch brake(N_f = 2) "Brake on the output shaft";
