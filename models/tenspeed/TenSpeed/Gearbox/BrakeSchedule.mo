@@ -4,7 +4,7 @@ block BrakeSchedule "Normal force of the brake on the output shaft over the shif
   parameter Mechanics.Units.Inertia J_gearbox = 0.3 "Of the gearbox, seen there; chosen: mean of the gears";
   parameter Mechanics.Units.DragConstant c_drag "Drag over speed squared";
   parameter Mechanics.Units.Length leverArm "Torque of the brake over normal force and friction coefficient";
-  parameter Mechanics.Units.Ratio mu = 0.121 "Friction coefficient while it slips; chosen: of its plates at 100 rad/s";
+  parameter Mechanics.Units.Ratio mu = 0.1205 "Friction coefficient while it slips; chosen: of its plates at 100 rad/s";
   parameter Mechanics.Units.Torque tau_hold = 400 "Torque in park and neutral";
   parameter Mechanics.Units.AngularVelocity w_first = 101
     "Wanted speed when the shift to first begins; chosen: see the documentation";

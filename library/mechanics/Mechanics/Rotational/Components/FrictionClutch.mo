@@ -8,7 +8,7 @@ model FrictionClutch "Friction clutch with a choice of how its plates stick"
   parameter Units.Ratio mu_0 = 0.13 "Friction coefficient of sticking plates; chosen: paper lining in transmission oil";
   parameter Units.Ratio K_1 = 0.12 "Friction coefficient of slipping plates; chosen: paper lining in transmission oil";
   parameter Units.RotationalTime K_2 = 0.5 "Shape of the transition; chosen: complete at 4 rad/s";
-  parameter Units.RotationalTime K_3 = 1e-5 "Viscous rise; chosen: reaches mu_0 at 1000 rad/s";
+  parameter Units.RotationalTime K_3 = 5e-6 "Viscous rise; chosen: reaches mu_0 at 2000 rad/s, above any shaft";
   parameter Units.Length thickness = 2e-3 "Thickness of the plates, for elastic stick";
   parameter Units.RotationalDampingConstant d = 100 "Damping of elastic stick; chosen: see ElasticClutch";
   parameter Units.AngularVelocity w_dead(min = 1e-12) = 0.01 "Half of Karnopp's dead zone; chosen: see KarnoppClutch";

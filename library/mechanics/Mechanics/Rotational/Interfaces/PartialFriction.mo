@@ -7,7 +7,7 @@ partial model PartialFriction "Plate pack pressed together by a normal force"
   parameter Units.Ratio mu_0 = 0.13 "Friction coefficient of sticking plates; chosen: paper lining in transmission oil";
   parameter Units.Ratio K_1 = 0.12 "Friction coefficient of slipping plates; chosen: paper lining in transmission oil";
   parameter Units.RotationalTime K_2 = 0.5 "Shape of the transition; chosen: complete at 4 rad/s";
-  parameter Units.RotationalTime K_3 = 1e-5 "Viscous rise; chosen: reaches mu_0 at 1000 rad/s";
+  parameter Units.RotationalTime K_3 = 5e-6 "Viscous rise; chosen: reaches mu_0 at 2000 rad/s, above any shaft";
   final parameter Real f_i(unit = "1") = 1.01 - N_f/100 "Loss of normal force in the pack";
   final parameter Units.Length leverArm = f_i*N_f/3*(d_o^3 - d_i^3)/(d_o^2 - d_i^2)
     "Torque over friction coefficient and normal force";
