@@ -1,0 +1,16 @@
+within TenSpeed.Benches;
+model TorqueConverterL5 "Sweep of the speed ratio of the converter at level 5"
+  extends Interfaces.ConverterBench(
+    redeclare model Torus = Converter.TorusL5,
+    redeclare Converter.SpeedSource impellerSource(w_start = 200),
+    redeclare Converter.SpeedSource turbineSource(
+      w_start = 0,
+      w_end = 240,
+      startTime = 10,
+      duration = 4000));
+  annotation(
+    experiment(StopTime = 4020, Tolerance = 1e-6, Interval = 2),
+    Documentation(info = "<html>
+<p>No state.</p>
+</html>"));
+end TorqueConverterL5;
