@@ -51,15 +51,15 @@ def closed_in(left: Array, right: Array, w_p: Array, w_t: Array, g: Geometry) ->
         middle = (left + right) / 2
         positive = balance(middle, w_p, w_t, g)[0].pressure > 0
         left, right = np.where(positive, middle, left), np.where(positive, right, middle)
-    Q = (left + right) / 2
-    best = np.abs(balance(Q, w_p, w_t, g)[0].pressure)
+    flow = (left + right) / 2
+    best = np.abs(balance(flow, w_p, w_t, g)[0].pressure)
     for _ in range(_NEWTON):
-        step = 1e-7 * (np.abs(Q) + 1e-3 * g.Q_0)
-        slope = (balance(Q + step, w_p, w_t, g)[0].pressure - balance(Q - step, w_p, w_t, g)[0].pressure) / (
-            2 * step
-        )
-        trial = Q - balance(Q, w_p, w_t, g)[0].pressure / np.where(slope < 0, slope, -np.inf)
+        step = 1e-7 * (np.abs(flow) + 1e-3 * g.Q_0)
+        slope = (
+            balance(flow + step, w_p, w_t, g)[0].pressure - balance(flow - step, w_p, w_t, g)[0].pressure
+        ) / (2 * step)
+        trial = flow - balance(flow, w_p, w_t, g)[0].pressure / np.where(slope < 0, slope, -np.inf)
         trial = np.clip(trial, left, right)
         found = np.abs(balance(trial, w_p, w_t, g)[0].pressure)
-        Q, best = np.where(found < best, trial, Q), np.minimum(found, best)
-    return Q
+        flow, best = np.where(found < best, trial, flow), np.minimum(found, best)
+    return flow

@@ -106,9 +106,7 @@ def _backward(Q: Array, w_p: Array, w_t: Array, w_s: Array, g: Geometry) -> _Dir
     return _direction((p - t, t - s, s - p), (w_p, w_t, w_s), loss)
 
 
-def _direction(
-    h: tuple[Array, Array, Array], w: tuple[Array, Array, Array], loss: Array
-) -> _Direction:
+def _direction(h: tuple[Array, Array, Array], w: tuple[Array, Array, Array], loss: Array) -> _Direction:
     terms = [one * speed for one, speed in zip(h, w, strict=True)]
     size = np.abs(terms[0]) + np.abs(terms[1]) + np.abs(terms[2]) + loss
     return _Direction(h[0], h[1], h[2], loss, terms[0] + terms[1] + terms[2], size)

@@ -58,12 +58,28 @@ def steady_map(geometry: Geometry = NOMINAL, ratio: Array | None = None) -> Conv
 
 
 def _ratios() -> Array:
-    """Denser towards 1, where the capacity falls steeply, and at coupling, where the torque ratio has a kink."""
+    """Denser towards 1, where the capacity falls steeply, and at coupling, where there is a kink."""
     return np.concatenate(
         [
             np.linspace(-1, 0, 6)[:-1],
             np.linspace(0, 0.85, 18),
-            [0.87, 0.88, 0.885, 0.89, 0.8925, 0.895, 0.8965, 0.8975, 0.9, 0.91, 0.925, 0.94, 0.95, 0.96, 0.97],
+            [
+                0.87,
+                0.88,
+                0.885,
+                0.89,
+                0.8925,
+                0.895,
+                0.8965,
+                0.8975,
+                0.9,
+                0.91,
+                0.925,
+                0.94,
+                0.95,
+                0.96,
+                0.97,
+            ],
             [0.975, 0.98, 0.984, 0.988, 0.99, 0.992, 0.994, 0.995, 0.996, 0.998, 1.0],
         ]
     )
