@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import prod
 
 from acausal.errors import Span, UnsupportedProblem, fail
 from acausal.lang import ast
@@ -139,16 +140,26 @@ def _require_parameter(translation: Translation, item: Expr, name: str, span: Sp
 
 
 def _semi_linear(translation: Translation, node: ast.Call, env: Env) -> AnyValue:
-    """`semiLinear(x, positiveSlope, negativeSlope)` (3.7.4.4)."""
+    """`semiLinear(x, positiveSlope, negativeSlope)` (3.7.4.4), element by element for arrays (12.4.6)."""
     arguments = check_arguments(node, "semiLinear", 3)
-    values = [as_scalar(translation.value(argument, env), argument.span) for argument in arguments]
+    values = [as_value(translation.value(argument, env), argument.span) for argument in arguments]
     for value, argument in zip(values, arguments, strict=True):
         if not value.type.is_numeric:
             message = f"`semiLinear` needs numbers, not {describe(value)}"
             raise type_error("type.not-numeric", message, argument.span)
-    x, positive, negative = (value.item for value in values)
+    shapes = list(dict.fromkeys([value.shape for value in values if value.shape]))
+    if len(shapes) > 1:
+        sizes = ", ".join([describe(value) for value in values])
+        raise type_error("type.array-size", f"`semiLinear` of arrays of different sizes: {sizes}", node.span)
+    shape = shapes[0] if shapes else ()
+    count = prod(shape)
+    parts = [value.items if value.shape else value.items * count for value in values]
+    return Value(REAL, shape, tuple([_of_two_slopes(*three) for three in zip(*parts, strict=True)]))
+
+
+def _of_two_slopes(x: Expr, positive: Expr, negative: Expr) -> Expr:
     chosen = ex.if_then_else(ex.relation("ge", x, ex.ZERO), ex.mul(positive, x), ex.mul(negative, x))
-    return scalar(REAL, ex.smooth(0, chosen))
+    return ex.smooth(0, chosen)
 
 
 def _no_value(_translation: Translation, node: ast.Call, _env: Env) -> AnyValue:

@@ -55,6 +55,8 @@ class Frame:
     tests: set[Expr] = field(default_factory=set[Expr])
     """Conditions on which values were merged."""
     steps: int = 0
+    owner: Instance | None = None
+    """The component whose class, or one it inherits from, has the function."""
 
     @property
     def entries(self) -> dict[str, ComponentEntry]:
@@ -81,7 +83,8 @@ class Frame:
     def env(self) -> Env:
         """Where the expressions are translated now."""
         context = Context(self.scope, self.instance)
-        return Env(context, self.variables, None, self.depth, self.current, self.at_event)
+        env = Env(context, self.variables, None, self.depth, self.current, self.at_event)
+        return env if self.owner is None else env.owned_by(self.owner)
 
     def value(self, node: ast.Expression) -> AnyValue:
         """The value of an expression here; assertions of the functions it calls hold where it is reached."""
@@ -104,7 +107,8 @@ class Frame:
 
 def new_frame(translation: Translation, scope: Scope, env: Env) -> Frame:
     """The frame of a call from `env`, without variables."""
-    return Frame(translation, scope, {}, set(), env.depth + 1, at_event=env.at_event)
+    owner = env.owner or env.context.instance
+    return Frame(translation, scope, {}, set(), env.depth + 1, at_event=env.at_event, owner=owner)
 
 
 def default_of(entry: ComponentEntry) -> ast.Expression | None:
@@ -126,8 +130,17 @@ def _default_env(frame: Frame, entry: ComponentEntry) -> Env:
     """Where the default value was written; the function's variables are visible there."""
     for outer in entry.through:
         if outer.binding is not None:
-            return Env(outer.binding.context, frame.variables, None, frame.depth)
+            return Env(_written(outer.binding.context, frame.owner), frame.variables, None, frame.depth)
     return frame.env()
+
+
+def _written(context: Context, owner: Instance | None) -> Context:
+    """A modification in a class knows what is in it: in the component that holds the function (5.3.2)."""
+    while owner is not None and context.instance is None:
+        if context.scope.node in owner.scope.table.lineage:
+            return Context(context.scope, owner)
+        owner = owner.parent
+    return context
 
 
 def declare(frame: Frame, entry: ComponentEntry, value: AnyValue | None, span: Span) -> AnyValue:

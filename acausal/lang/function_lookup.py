@@ -13,12 +13,19 @@ from acausal.lang.translation import Env, Translation
 
 def function_scope(translation: Translation, reference: ast.ComponentReference, env: Env) -> Scope:
     """The class that a call names. Raises `LookupProblem`."""
+    return function_and_owner(translation, reference, env)[0]
+
+
+def function_and_owner(
+    translation: Translation, reference: ast.ComponentReference, env: Env
+) -> tuple[Scope, Instance | None]:
+    """The class that a call names, and the component it is reached through. Raises `LookupProblem`."""
     instance, scope = env.context.instance, env.context.scope
     first = reference.parts[0].name
     if instance is None or reference.global_ or len(reference.parts) == 1:
-        return scope.find_class(reference, "function", complete=True)
+        return scope.find_class(reference, "function", complete=True), None
     if first not in scope.table.components:
-        return scope.find_class(reference, "function", complete=True)
+        return scope.find_class(reference, "function", complete=True), None
     member = translation.instances.member(instance, first)
     count = 1
     while member is not None:
@@ -32,9 +39,9 @@ def function_scope(translation: Translation, reference: ast.ComponentReference, 
         ):
             components = ast.ComponentReference(reference.parts[:count], False, reference.span)
             refuse_conditional(components, env)
-            return _class_in(last.scope, reference, count)
+            return _class_in(last.scope, reference, count), last
         count += 1
-    return scope.find_class(reference, "function", complete=True)
+    return scope.find_class(reference, "function", complete=True), None
 
 
 def _class_in(scope: Scope, reference: ast.ComponentReference, count: int) -> Scope:

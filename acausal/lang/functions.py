@@ -31,6 +31,7 @@ from acausal.lang.function_frame import (
 from acausal.lang.function_kernels import at_events
 from acausal.lang.function_units import note_unit
 from acausal.lang.function_values import function_value, is_function_type
+from acausal.lang.instance import Instance
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
@@ -39,8 +40,13 @@ from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, stack
 _Arguments = dict[str, AnyValue]
 
 
-def call_function(translation: Translation, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:
-    """The outputs of a call, in order. Raises `TypeProblem`, `UnsupportedProblem`."""
+def call_function(
+    translation: Translation, scope: Scope, node: ast.Call, env: Env, owner: Instance | None = None
+) -> list[AnyValue]:
+    """The outputs of a call, in order; `owner` is the component that the function was reached through.
+
+    Raises `TypeProblem`, `UnsupportedProblem`.
+    """
     if scope.kind != "function" and not any(base.scope.kind == "function" for base in scope.table.bases):
         message = f"`{scope.path}` is a {scope.kind}, not a function"
         raise type_error("call.not-a-function", message, node.span, "", (scope.path,))
@@ -56,6 +62,8 @@ def call_function(translation: Translation, scope: Scope, node: ast.Call, env: E
         if missing:
             raise _no_argument(scope, missing[0], node)
         return [BUILTINS[external.name]([given[e.name] for e in inputs], node.span)]
+    if owner is not None:
+        env = env.owned_by(owner)
     results = _broadcast(translation, scope, inputs, given, node, env)
     if results is None:
         results = _inlined(translation, scope, given, node, env)

@@ -22,7 +22,7 @@ from acausal.lang.enumeration_calls import literal_of
 from acausal.lang.externals import Externals, is_external_class
 from acausal.lang.flat import INTEGER, REAL, Assertion, Variability
 from acausal.lang.formals import Formal
-from acausal.lang.function_lookup import function_scope
+from acausal.lang.function_lookup import function_and_owner, function_scope
 from acausal.lang.function_values import call_given, given_function
 from acausal.lang.functions import call_function, construct_record
 from acausal.lang.index_choices import (
@@ -384,15 +384,16 @@ class Translator(Budget):
         given = given_function(env, node.function)
         if given is not None:
             return self.call(given.scope, *call_given(given, node, env))
-        return self.call(function_scope(self, node.function, env), node, env)
+        scope, owner = function_and_owner(self, node.function, env)
+        return self.call(scope, node, env, owner)
 
-    def call(self, scope: Scope, node: ast.Call, env: Env) -> list[AnyValue]:
-        """As `results`, of the function `scope`."""
+    def call(self, scope: Scope, node: ast.Call, env: Env, owner: Instance | None = None) -> list[AnyValue]:
+        """As `results`, of the function `scope` of the component `owner`."""
         if env.depth > MAX_CALL_DEPTH:
             raise too_deep_calls(node.function.text, MAX_CALL_DEPTH, node.span)
         if env.depth == 0:
             self.begin_call()
-        return call_function(self, scope, node, env)
+        return call_function(self, scope, node, env, owner)
 
 
 def _is_function(found: FoundComponent | Scope | None) -> bool:

@@ -46,13 +46,38 @@ class Env:
     """In a when-clause or an initial section, where every variable is discrete."""
     connecting: bool = False
     """In `connect`, which may name what only connections declare (9.1.3)."""
+    owner: Instance | None = None
+    """In a function: the component whose class has the function, for the values of modifications there."""
 
     def with_locals(self, more: Mapping[str, AnyValue]) -> Env:
         locals_ = {**self.locals, **more}
-        return Env(self.context, locals_, self.size, self.depth, self.current, self.at_event, self.connecting)
+        return Env(
+            self.context,
+            locals_,
+            self.size,
+            self.depth,
+            self.current,
+            self.at_event,
+            self.connecting,
+            self.owner,
+        )
 
     def with_size(self, size: Value) -> Env:
-        return Env(self.context, self.locals, size, self.depth, self.current, self.at_event, self.connecting)
+        return Env(
+            self.context,
+            self.locals,
+            size,
+            self.depth,
+            self.current,
+            self.at_event,
+            self.connecting,
+            self.owner,
+        )
+
+    def owned_by(self, owner: Instance) -> Env:
+        """For the call of a function of this component."""
+        context, size, depth = self.context, self.size, self.depth
+        return Env(context, self.locals, size, depth, self.current, self.at_event, self.connecting, owner)
 
     def with_event(self) -> Env:
         """The same place at an event."""
