@@ -55,6 +55,8 @@ class Frame:
     tests: set[Expr] = field(default_factory=set[Expr])
     """Conditions on which values were merged."""
     steps: int = 0
+    body: Scope | None = None
+    """The class that the running algorithm is written in, where that is one the function inherits from."""
     owner: Instance | None = None
     """The component whose class, or one it inherits from, has the function."""
 
@@ -80,9 +82,9 @@ class Frame:
         """The condition under which the running statement is reached."""
         return ex.logical_and(*self.path)
 
-    def env(self) -> Env:
-        """Where the expressions are translated now."""
-        context = Context(self.scope, self.instance)
+    def env(self, written: Scope | None = None) -> Env:
+        """Where the expressions are translated now; `written` is the class whose text they are in."""
+        context = Context(written or self.body or self.scope, self.instance)
         env = Env(context, self.variables, None, self.depth, self.current, self.at_event)
         return env if self.owner is None else env.owned_by(self.owner)
 
@@ -131,7 +133,7 @@ def _default_env(frame: Frame, entry: ComponentEntry) -> Env:
     for outer in entry.through:
         if outer.binding is not None:
             return Env(_written(outer.binding.context, frame.owner), frame.variables, None, frame.depth)
-    return frame.env()
+    return frame.env(entry.scope)
 
 
 def _written(context: Context, owner: Instance | None) -> Context:
@@ -219,7 +221,7 @@ def _given_fields(frame: Frame, entry: ComponentEntry) -> dict[str, AnyValue]:
     """The fields that the declaration of a record variable gives values: `output R r(a = x)`."""
     children = entry.own.children
     return {
-        name: frame.translation.value(child.binding.expression, frame.env())
+        name: frame.translation.value(child.binding.expression, frame.env(entry.scope))
         for name, child in children.items()
         if child.binding is not None
     }
@@ -236,7 +238,7 @@ def declared_rank(translation: Translation, entry: ComponentEntry) -> int:
 
 def _declared_shape(frame: Frame, entry: ComponentEntry, simple: SimpleType | None) -> list[int | None]:
     """Sizes, None for `:`."""
-    env = frame.env()
+    env = frame.env(entry.scope)
     places = [(entry.declaration.dimensions, env), (entry.clause.dimensions, env)]
     if simple is not None:
         places += [(dimensions, Env(Context(scope, None))) for dimensions, scope in simple.dimensions]

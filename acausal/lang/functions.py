@@ -156,7 +156,7 @@ def _run(
     translation: Translation, scope: Scope, given: _Arguments, node: ast.Call, env: Env
 ) -> list[AnyValue]:
     frame = new_frame(translation, scope, env)
-    translation.count_step(scope.path, node.span)
+    translation.count_step(scope.path, node.span, call=True)
     entries = list(scope.table.components.values())
     for entry in declaration_order(entries):
         value = given.get(entry.name)
@@ -166,13 +166,15 @@ def _run(
         frame.variables[entry.name] = declare(frame, entry, value, node.span)
         if value is not None or has_value(entry):
             frame.assigned.add(entry.name)
-    sections = [s for s, _ in scope.table.sections if isinstance(s, ast.AlgorithmSection)]
+    written = [(s, where) for s, where in scope.table.sections if isinstance(s, ast.AlgorithmSection)]
+    sections = [section for section, _ in written]
     if scope.table.external is not None:
         call_external(frame, scope.table.external, node)
     outputs = [e for e in entries if e.clause.causality == "output" and not e.protected]
     if not sections and any(e.name not in frame.assigned for e in outputs):
         message = f"`{scope.path}` has no algorithm"
         raise type_error("function.no-body", message, node.span, "", (scope.path,))
+    frame.body = written[-1][1] if written else None
     run_algorithm(frame, sections)
     for entry in outputs:
         if entry.name not in frame.assigned and not _is_empty(frame, entry):

@@ -226,6 +226,6 @@ class Translation(Protocol):
         """The turns of a loop, counted. Raises when they are too much."""
         ...
 
-    def count_step(self, function: str, span: Span) -> None:
+    def count_step(self, function: str, span: Span, *, call: bool = False) -> None:
         """Count a statement run at compile time. Raises when there are too many."""
         ...

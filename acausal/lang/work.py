@@ -9,9 +9,10 @@ from acausal.errors import Span
 from acausal.lang.parameter_errors import too_many_steps, too_much_work
 from acausal.lang.values import AnyValue, Value
 
-MAX_STEPS = 15_000
-"""Statements and calls that one call of a function may come to."""
-_FREE_STEPS = 50_000
+MAX_STEPS = 60_000
+"""Statements that one call of a function may come to; a call inside counts as `_STEPS_OF_CALL`."""
+_STEPS_OF_CALL = 4
+_FREE_STEPS = 200_000
 _STEPS_PER_CALL = 200
 """All calls of a compilation together may take `_FREE_STEPS`, and this many more for each of them."""
 MAX_WORK = 10_000_000
@@ -36,9 +37,9 @@ class Budget:
         self._calls += 1
         self._steps_before = self.steps
 
-    def count_step(self, function: str, span: Span) -> None:
-        """Count a statement of a function. Raises `function.too-long`."""
-        self.steps += 1
+    def count_step(self, function: str, span: Span, *, call: bool = False) -> None:
+        """Count a statement of a function, or a call. Raises `function.too-long`."""
+        self.steps += _STEPS_OF_CALL if call else 1
         if self.steps - self._steps_before > MAX_STEPS:
             raise too_many_steps(function, MAX_STEPS, span)
         if self.steps > _FREE_STEPS + _STEPS_PER_CALL * self._calls:
