@@ -44,6 +44,7 @@ from acausal.lang.translate import Translator
 from acausal.lang.unit_check import check_units
 from acausal.lang.verify import verify
 from acausal.symbolic.expressions.text import plain_name, quoted_name
+from acausal.symbolic.parameter_cycles import without_cycles
 
 if TYPE_CHECKING:
     from acausal.codegen.functions import Code
@@ -142,6 +143,7 @@ def flatten_and_check(translator: Translator, instance: Instance) -> tuple[FlatM
     flat = flatten(translator, instance)
     if is_base_modelica(instance.scope.span.source):
         flat = decoded_flat(flat, instance.scope.definition)
+    flat = without_cycles(flat)
     verify(flat)
     check_connectors(instance)
     if flat.equation_count == len(flat.unknowns) and not translator.instances.overdetermined:

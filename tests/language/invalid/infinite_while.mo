@@ -1,4 +1,4 @@
-// error: function.too-long line 6 names f
+// error: function.too-long line 7 names f
 function f
   input Real u;
   output Real y = u;
