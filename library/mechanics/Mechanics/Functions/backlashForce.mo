@@ -5,10 +5,9 @@ function backlashForce "Force between two partners with play, which touch on eit
   input Units.Length b "Total play, from contact on one side to contact on the other";
   input Units.TranslationalSpringConstant c "Contact stiffness";
   input Units.TranslationalDampingConstant d "Contact damping";
-  input Units.Length depth "Penetration over which the damping builds up";
   output Units.Force f "Force against the displacement: positive for positive contact";
 algorithm
-  f := elasticContact(delta - b/2, delta_dot, c, d, depth) - elasticContact(-delta - b/2, -delta_dot, c, d, depth);
+  f := elasticContact(delta - b/2, delta_dot, c, d) - elasticContact(-delta - b/2, -delta_dot, c, d);
   annotation(
     Inline = true,
     smoothOrder = 0,

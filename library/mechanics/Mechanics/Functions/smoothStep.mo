@@ -2,8 +2,11 @@ within Mechanics.Functions;
 function smoothStep "Rise from 0 at u = 0 to 1 at u = 1, twice continuously differentiable"
   input Real u(unit = "1") "Progress of the rise";
   output Real y(unit = "1") "0 before, 1 after, a polynomial of degree five between";
+protected
+  Real v(unit = "1") "Progress within the rise";
 algorithm
-  y := smooth(2, noEvent(if u <= 0 then 0 else if u >= 1 then 1 else u^3*(10 + u*(6*u - 15))));
+  v := max(0, min(1, u));
+  y := smooth(2, noEvent(v^3*(10 + v*(6*v - 15))));
   annotation(
     Inline = true,
     smoothOrder = 2,

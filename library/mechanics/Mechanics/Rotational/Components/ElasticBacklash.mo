@@ -4,17 +4,15 @@ model ElasticBacklash "Elastic, damped coupling of two shafts with play"
   parameter Units.RotationalSpringConstant c "Stiffness in contact";
   parameter Units.RotationalDampingConstant d = 0 "Damping in contact";
   parameter Units.Angle b(min = 0) = 0 "Total play";
-  parameter Units.Angle depth(min = 1e-12) = 1e-5
-    "Wind-up over which the damping builds up; chosen: small against the wind-up under load";
   Units.Power lossPower "Power turned into heat";
   Units.Energy storedEnergy "Energy of the spring";
 protected
   Units.Torque tau_c "Elastic part of the torque";
 equation
   // Contact on one side, on the other, or on none
-  tau = Functions.backlashTorque(phi_rel, w_rel, b, c, d, depth);
+  tau = Functions.backlashTorque(phi_rel, w_rel, b, c, d);
   // Energy
-  tau_c = Functions.backlashTorque(phi_rel, 0, b, c, 0, depth);
+  tau_c = Functions.backlashTorque(phi_rel, 0, b, c, 0);
   lossPower = (tau - tau_c)*w_rel;
   storedEnergy = smooth(1, noEvent(c/2*max(0, abs(phi_rel) - b/2)^2));
   annotation(Documentation(info = "<html>

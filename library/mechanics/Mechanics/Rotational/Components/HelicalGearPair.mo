@@ -9,8 +9,6 @@ model HelicalGearPair "Pair of helical gears with elastic, damped mesh and backl
   parameter Units.TranslationalSpringConstant c "Mesh stiffness along the line of action";
   parameter Units.TranslationalDampingConstant d = 0 "Mesh damping along the line of action";
   parameter Units.Length b(min = 0) = 0 "Circumferential backlash at the pitch circles";
-  parameter Units.Length depth(min = 1e-12) = 1e-6
-    "Deflection over which the damping builds up; chosen: small against the deflection under load";
   final parameter Units.Length R_a = m_n/cos(beta)*Z_a/2 "Pitch radius of the gear on flange_a";
   final parameter Units.Length R_b = m_n/cos(beta)*Z_b/2 "Pitch radius of the gear on flange_b";
   final parameter Units.Ratio projection = cos(atan(tan(alpha_n)/cos(beta)))
@@ -25,12 +23,12 @@ equation
   delta = R_a*flange_a.phi - R_b*flange_b.phi;
   delta_dot = der(delta);
   // Tooth contact
-  F = projection*Functions.backlashForce(projection*delta, projection*delta_dot, projection*b, c, d, depth);
+  F = projection*Functions.backlashForce(projection*delta, projection*delta_dot, projection*b, c, d);
   // Torques about the gears' own axes
   flange_a.tau = R_a*F;
   flange_b.tau = -R_b*F;
   // Energy
-  lossPower = (F - projection*Functions.backlashForce(projection*delta, 0, projection*b, c, 0, depth))*delta_dot;
+  lossPower = (F - projection*Functions.backlashForce(projection*delta, 0, projection*b, c, 0))*delta_dot;
   storedEnergy = Functions.backlashEnergy(projection*delta, projection*b, c);
   annotation(Documentation(info = "<html>
 <p>delta = R_a phi_a - R_b phi_b with R = m_t Z / 2 and the transverse module m_t = m_n / cos(beta). Along the line of

@@ -18,8 +18,6 @@ model HelicalPlanetary "Planetary gearset with individual planets on elastic bea
   parameter Units.TranslationalSpringConstant c_bearing = 1e7 "Stiffness of a planet bearing";
   parameter Units.TranslationalDampingConstant d_bearing = 1000 "Damping of a planet bearing";
   parameter Units.Length b_bearing(min = 0) = 25e-6 "Total play of a planet bearing";
-  parameter Units.Length depth(min = 1e-12) = 1e-6
-    "Deflection over which contact damping builds up; chosen: small against the deflection under load";
   final parameter Units.Length R_s = m_n/cos(beta)*Z_s/2 "Pitch radius of the sun";
   final parameter Units.Length R_p = m_n/cos(beta)*Z_p/2 "Pitch radius of a planet";
   final parameter Units.Length R_r = m_n/cos(beta)*Z_r/2 "Pitch radius of the ring";
@@ -65,17 +63,17 @@ equation
     v_bearing[i] = der(delta_bearing[i]);
     // Tooth and bearing forces
     F_sun[i] = projection*Functions.backlashForce(
-      projection*delta_sun[i], projection*v_sun[i], projection*b_mesh, c_sun, d_mesh, depth);
+      projection*delta_sun[i], projection*v_sun[i], projection*b_mesh, c_sun, d_mesh);
     F_ring[i] = projection*Functions.backlashForce(
-      projection*delta_ring[i], projection*v_ring[i], projection*b_mesh, c_ring, d_mesh, depth);
-    F_bearing[i] = Functions.backlashForce(delta_bearing[i], v_bearing[i], b_bearing, c_bearing, d_bearing, depth);
+      projection*delta_ring[i], projection*v_ring[i], projection*b_mesh, c_ring, d_mesh);
+    F_bearing[i] = Functions.backlashForce(delta_bearing[i], v_bearing[i], b_bearing, c_bearing, d_bearing);
     // Newton's law for each planet, about its own axis and about the main axis
     J_self*der(w_planet[i]) = R_p*(F_ring[i] - F_sun[i]);
     J_orbit*der(w_orbit[i]) = R_c*(F_sun[i] + F_ring[i] + F_bearing[i]);
     // Energy
-    F_elastic[1, i] = projection*Functions.backlashForce(projection*delta_sun[i], 0, projection*b_mesh, c_sun, 0, depth);
-    F_elastic[2, i] = projection*Functions.backlashForce(projection*delta_ring[i], 0, projection*b_mesh, c_ring, 0, depth);
-    F_elastic[3, i] = Functions.backlashForce(delta_bearing[i], 0, b_bearing, c_bearing, 0, depth);
+    F_elastic[1, i] = projection*Functions.backlashForce(projection*delta_sun[i], 0, projection*b_mesh, c_sun, 0);
+    F_elastic[2, i] = projection*Functions.backlashForce(projection*delta_ring[i], 0, projection*b_mesh, c_ring, 0);
+    F_elastic[3, i] = Functions.backlashForce(delta_bearing[i], 0, b_bearing, c_bearing, 0);
     E_elastic[i] = Functions.backlashEnergy(projection*delta_sun[i], projection*b_mesh, c_sun)
       + Functions.backlashEnergy(projection*delta_ring[i], projection*b_mesh, c_ring)
       + Functions.backlashEnergy(delta_bearing[i], b_bearing, c_bearing);

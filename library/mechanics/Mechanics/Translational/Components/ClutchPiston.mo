@@ -11,8 +11,6 @@ model ClutchPiston "Piston with return spring, damping and lash before a plate p
   parameter Units.TranslationalSpringConstant c_stop = 50e6
     "Stiffness of the stop on which the open piston rests; chosen: as the pack";
   parameter Units.TranslationalDampingConstant d_stop = 5e3 "Damping of that stop; chosen: as the pack";
-  parameter Units.Length depth(min = 1e-12) = 1e-5
-    "Penetration over which contact damping builds up; chosen: small against the deflection under load";
   Signals.Interfaces.RealOutput f_normal(unit = "N") "Force on the plate pack";
   Units.Position s(start = 0, nominal = 1e-3, stateSelect = StateSelect.prefer) "Position, 0 at rest";
   Units.Velocity v(start = 0, nominal = 0.1, stateSelect = StateSelect.prefer) "Velocity";
@@ -22,8 +20,8 @@ equation
   s = flange.s;
   v = der(s);
   // Contacts
-  f_normal = Functions.elasticContact(s - lash, v, c_pack, d_pack, depth);
-  stopForce = Functions.elasticContact(-s, -v, c_stop, d_stop, depth);
+  f_normal = Functions.elasticContact(s - lash, v, c_pack, d_pack);
+  stopForce = Functions.elasticContact(-s, -v, c_stop, d_stop);
   // Newton's law
   m*der(v) = flange.f + stopForce - F_preload - c*s - d*v - f_normal;
   annotation(Documentation(info = "<html>

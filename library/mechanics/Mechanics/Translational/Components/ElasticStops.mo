@@ -5,8 +5,6 @@ model ElasticStops "Elastic, damped end stops of the case on both sides of a rod
   parameter Units.Position s_max "Position of the upper stop";
   parameter Units.TranslationalSpringConstant c = 1e7 "Stiffness; nominal value of the study, 10 kN/mm";
   parameter Units.TranslationalDampingConstant d = 0 "Damping in contact";
-  parameter Units.Length depth(min = 1e-12) = 1e-6
-    "Penetration over which the damping builds up; chosen: small against the penetration under load";
   Units.Position s(start = 0) "Position";
   Units.Velocity v(start = 0) "Velocity";
   Units.Force f "Force on the rod";
@@ -17,7 +15,7 @@ equation
   s = flange.s;
   v = der(s);
   // Contacts
-  f = Functions.elasticContact(s_min - s, -v, c, d, depth) - Functions.elasticContact(s - s_max, v, c, d, depth);
+  f = Functions.elasticContact(s_min - s, -v, c, d) - Functions.elasticContact(s - s_max, v, c, d);
   flange.f = -f;
   // Energy
   storedEnergy = Functions.backlashEnergy(s - (s_min + s_max)/2, s_max - s_min, c);

@@ -1,7 +1,7 @@
 within Mechanics.Translational.Examples;
 model PlayInARod "A mass flies through the play of a coupling and loses energy in its damped contact"
   Components.Mass mass(m = 0.3, s(start = 0, fixed = true), v(start = 3, fixed = true)) "Body";
-  Components.ElasticBacklash coupling(c = 5e5, d = 200, b = 0.02, depth = 1e-5) "Coupling with play";
+  Components.ElasticBacklash coupling(c = 5e5, d = 200, b = 0.02) "Coupling with play";
   Components.Fixed wall "Case";
   Units.Energy lost(start = 0, fixed = true) "Heat";
   output Units.Energy error "What is missing in the energy balance";
