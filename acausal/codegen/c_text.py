@@ -89,8 +89,3 @@ def _without_null_tests(text: str) -> str:
         inside = _GIVEN.sub(r"res\1[\2]=", _TAKEN.sub(r"arg\1[\2]", inside))
         text = text[:body] + "".join(arrays) + inside + text[end:]
     return text
-
-
-def instructions(functions: Mapping[str, Function]) -> int:
-    """How many operations all functions consist of, which is what compiling and evaluating them costs."""
-    return sum(f.n_instructions() if f.is_a("SXFunction") else f.n_nodes() for f in functions.values())

@@ -10,6 +10,7 @@ renamed, so that what is there is whole. What does not fit is compiled again.
 from __future__ import annotations
 
 import ctypes
+import json
 import os
 import platform
 import shutil
@@ -26,18 +27,18 @@ from pathlib import Path
 from time import time
 
 from acausal.errors import UnsupportedProblem, fail
+from acausal.runtime import compiling
 
 _FLAGS = (
     "-std=c99",
     "-fPIC",
-    "-shared",
     "-fno-semantic-interposition",
     "-fno-math-errno",
     "-fno-trapping-math",
     "-ffp-contract=off",
 )
 """Products and sums are rounded one by one, as the virtual machine does it; no flags or `errno` are kept."""
-_TIMEOUT = 600.0
+_SHARED = ("-fPIC", "-shared")
 MOST = 500
 """Libraries that the cache keeps."""
 _SUFFIX = ".dylib" if sys.platform == "darwin" else ".so"
@@ -96,15 +97,19 @@ def _is_private(path: Path) -> bool:
 
 @dataclass(frozen=True)
 class Sources:
-    """C files by name, of which `.c` are compiled; `level` is the optimisation and `link` more flags."""
+    """C files by name, of which `.c` are compiled; `level` is the optimisation and `link` more flags.
+
+    Those in `light` are compiled with `-O1`.
+    """
 
     files: Mapping[str, str]
     level: str = "-O2"
     link: tuple[str, ...] = ()
+    light: tuple[str, ...] = ()
 
 
 def _key(sources: Sources, tool: Compiler) -> str:
-    text = [tool.identity, sources.level, *_FLAGS, *sources.link]
+    text = [tool.identity, sources.level, *_FLAGS, *sources.link, *sources.light]
     for name, content in sources.files.items():
         text += [name, content]
     return sha256("\0".join(text).encode()).hexdigest()
@@ -163,27 +168,13 @@ def build(sources: Sources) -> Path:
     return library
 
 
-_BUILDER = """
-import hashlib, os, shutil, subprocess, sys
-folder, library, digest, *command = sys.argv[1:]
-try:
-    os.nice(10)
-    made = os.path.join(folder, command[command.index("-o") + 1])
-    quiet = subprocess.DEVNULL
-    if subprocess.call(command, cwd=folder, stdin=quiet, stdout=quiet, stderr=quiet, timeout=600) == 0:
-        with open(made, "rb") as file:
-            text = hashlib.sha256(file.read()).hexdigest()
-        with open(made + ".sha256", "w") as file:
-            file.write(text + "\\n")
-        os.replace(made, library)
-        os.replace(made + ".sha256", digest)
-finally:
-    shutil.rmtree(folder, ignore_errors=True)
-"""
-
-
 _running: list[subprocess.Popen[bytes]] = []
 """Processes that may still compile; kept, since Python complains of those it forgets."""
+
+
+def may_compile() -> bool:
+    """Whether to compile unasked: there is a compiler, and `ACAUSAL_COMPILE` is not `never`."""
+    return compiler() is not None and os.environ.get("ACAUSAL_COMPILE") != "never"
 
 
 def start(sources: Sources) -> None:
@@ -192,23 +183,25 @@ def start(sources: Sources) -> None:
     Not twice at a time, not where `ACAUSAL_COMPILE` is `never`; without a compiler nothing happens.
     """
     tool = compiler()
-    if tool is None or os.environ.get("ACAUSAL_COMPILE") == "never":
+    if tool is None or not may_compile():
         return
     directory, key = _directory(), _key(sources, tool)
     folder = directory / f"building-{key}"
     library = directory / f"{key}{_SUFFIX}"
     try:
-        if folder.exists() and time() - folder.stat().st_mtime > _TIMEOUT:
+        if folder.exists() and time() - folder.stat().st_mtime > compiling.SECONDS:
             shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(mode=0o700)
         for name, content in sources.files.items():
             (folder / name).write_text(content, encoding="utf-8")
-        where = [str(path) for path in (folder, library, library.with_suffix(".sha256"))]
+        units, link = _commands(sources, tool)
+        made = folder / f"library{_SUFFIX}"
+        paths = [str(path) for path in (folder, made, library, library.with_suffix(".sha256"))]
         quiet = subprocess.DEVNULL
         prune(directory)
         _running[:] = [process for process in _running if process.poll() is None]
         process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-c", _BUILDER, *where, *_command(sources, tool)],
+            [sys.executable, "-I", "-S", compiling.__file__, *paths, json.dumps([*units, link])],
             stdin=quiet,
             stdout=quiet,
             stderr=quiet,
@@ -219,9 +212,15 @@ def start(sources: Sources) -> None:
         return  # it is being built already, or cannot be: the run goes on without
 
 
-def _command(sources: Sources, tool: Compiler) -> list[str]:
+def _commands(sources: Sources, tool: Compiler) -> tuple[list[list[str]], list[str]]:
+    """One command for each unit, and the one that links them."""
     units = [name for name in sources.files if name.endswith(".c")]
-    return [tool.path, sources.level, *_FLAGS, *units, "-o", f"library{_SUFFIX}", *sources.link, "-lm"]
+    commands = [
+        [tool.path, "-O1" if name in sources.light else sources.level, *_FLAGS, "-c", name, "-o", f"{name}.o"]
+        for name in units
+    ]
+    objects = [f"{name}.o" for name in units]
+    return commands, [tool.path, *_SHARED, *objects, "-o", f"library{_SUFFIX}", *sources.link, "-lm"]
 
 
 def prune(directory: Path) -> None:
@@ -239,18 +238,11 @@ def prune(directory: Path) -> None:
 def _compile(sources: Sources, tool: Compiler, folder: Path) -> Path:
     for name, content in sources.files.items():
         (folder / name).write_text(content, encoding="utf-8")
-    made = folder / f"library{_SUFFIX}"
-    try:
-        run = subprocess.run(
-            _command(sources, tool), cwd=folder, capture_output=True, text=True, timeout=_TIMEOUT, check=False
-        )
-        problem = "" if run.returncode == 0 else (run.stderr.strip().splitlines() or ["it says nothing"])[0]
-    except (OSError, subprocess.TimeoutExpired) as found:
-        problem = str(found)
+    problem = compiling.build(*_commands(sources, tool), str(folder))
     if problem:
         message = f"the C compiler `{tool.path}` failed: {problem[:200]}"
         raise fail(UnsupportedProblem, "runtime.compile", message, hint="ACAUSAL_CC=none does without it")
-    return made
+    return folder / f"library{_SUFFIX}"
 
 
 @cache

@@ -5,7 +5,8 @@ the bit, as far as the C compiler does not compute ahead what the library rounds
 second or more, a virtual machine about three times the time per evaluation. `Machine` therefore takes the
 compiled functions where they are in the cache already. Else it begins on the virtual machine, has the
 functions compiled by another process once a run has made `WORTH` evaluations, and takes them when they are
-there: in this run if it is long, else in the next.
+there: in this run if it is long, else in the next. Where a run's fewest possible steps cost more on the
+virtual machine than compiling does, it waits for the compiler.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ import numpy as np
 from casadi import Function
 from numpy.typing import NDArray
 
-from acausal.codegen.c_text import c_text, instructions, run_functions
+from acausal.codegen.c_text import c_text, run_functions
 from acausal.codegen.functions import Code
 from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
@@ -30,8 +31,15 @@ from acausal.simulate.matrices import Vector
 
 WORTH = 4_000
 """Evaluations that make a model worth compiling in the background."""
-LARGE = 60_000
-"""Operations from which on the C compiler is told to try less hard."""
+LARGE = 40_000
+"""Lines of C of one function from which on the compiler is told to try less hard."""
+HOPELESS = 150_000
+"""Lines of C of all functions from which on nothing is compiled unasked."""
+_PER_LINE = 1.5e-4
+_PER_OPERATION = 2.7e-9
+"""Seconds that compiling a line, and an operation on the virtual machine, take: measured on the gearbox."""
+_LIGHT = ("jac", "output", "derivative", "assertions")
+"""Functions that are called once a step at most: the compiler tries less hard."""
 
 _Kept = list[object]
 
@@ -47,11 +55,28 @@ class Machine:
 
     @property
     def sources(self) -> build.Sources:
-        """The C text, made when it is first asked for."""
+        """The C text, made when it is first asked for: a file for each function."""
         if self._sources is None:
-            level = "-O2" if instructions(self.functions) < LARGE else "-O1"
-            self._sources = build.Sources({"model.c": c_text(self.functions)}, level)
+            texts = {f"{name}.c": c_text({name: function}) for name, function in self.functions.items()}
+            light = [name for name in texts if name[:-2] in _LIGHT or texts[name].count("\n") > LARGE]
+            self._sources = build.Sources(texts, light=tuple(light))
         return self._sources
+
+    @property
+    def lines(self) -> int:
+        """Lines of C."""
+        return sum(text.count("\n") for text in self.sources.files.values())
+
+    def pays(self, steps: float, evaluations: float) -> bool:
+        """Whether so many steps with so many evaluations each cost more than to compile first."""
+        if not steps or not evaluations or self.lines > HOPELESS or not build.may_compile():
+            return False
+        per_step = evaluations * self._operations("ode") + self._operations("jac")
+        return steps * per_step * _PER_OPERATION > self.lines * _PER_LINE
+
+    def _operations(self, name: str) -> int:
+        text = self.sources.files.get(f"{name}.c", "")
+        return text.count(";\n")
 
     def look_up(self) -> None:
         """Takes the compiled functions if they are in the cache."""
@@ -62,7 +87,8 @@ class Machine:
         """Has the functions compiled by another process; `look_up` finds them when it is done."""
         if not self._begun:
             self._begun = True
-            build.start(self.sources)
+            if self.lines <= HOPELESS:
+                build.start(self.sources)
 
     def compile(self) -> None:
         """Compiles if that has not happened. Raises `UnsupportedProblem` where it cannot."""

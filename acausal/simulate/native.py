@@ -8,13 +8,14 @@ own.
 from __future__ import annotations
 
 import ctypes
+from contextlib import suppress
 from dataclasses import dataclass, field
 from time import perf_counter, process_time
 
 import numpy as np
 from numpy.typing import NDArray
 
-from acausal.errors import AcausalError
+from acausal.errors import AcausalError, UnsupportedProblem
 from acausal.runtime import binding
 from acausal.runtime.binding import FILL, METHODS, RESCUE, ModelStructure, RunTime, SolverStructure
 from acausal.simulate.buffered import Robust
@@ -29,6 +30,8 @@ from acausal.simulate.solver import Arrival, Influence, Sweep, Tolerances, Work
 
 _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""
+_EVALUATIONS = dict(zip(METHODS, (10, 1, 1, 2, 3, 6, 1, 3), strict=True))
+"""Evaluations in a step."""
 _CHUNK = 2**17
 """Numbers in a block of rows."""
 
@@ -72,7 +75,7 @@ class NativeSolver:
         self._time, self._x = tolerances.start, evaluator.x.copy()
         self._error_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
         self._convergence_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
-        self._take_functions()
+        self._take_functions(method)
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
@@ -80,11 +83,16 @@ class NativeSolver:
         self._judged, self._slow = (0, tolerances.start), 0
         self._compiling = process_time() - began
 
-    def _take_functions(self) -> None:
+    def _take_functions(self, method: str) -> None:
+        machine, limits = self._machine, self._limits
         if self._compiled is None:
-            self._machine.look_up()
+            machine.look_up()
+            step = limits.max_step if method == "rodas" else limits.step
+            if machine.library is None and machine.pays(step and limits.span / step, _EVALUATIONS[method]):
+                with suppress(UnsupportedProblem):  # the virtual machine does it too
+                    machine.compile()
         elif self._compiled:
-            self._machine.compile()
+            machine.compile()
 
     @property
     def is_compiled(self) -> bool:
