@@ -57,7 +57,7 @@ def run_functions(code: Code) -> dict[str, Function]:
 def c_text(functions: Mapping[str, Function]) -> str:
     """One C file with all functions under their own names, for `long long` integers and doubles.
 
-    What it defines beside them begins with `model_` and the first name, so that such files can be linked together.
+    What it defines beside them begins with `model_` and the first name: such files can be linked together.
     """
     options = {"with_header": False, "casadi_int": "long long int", "main": False, "mex": False}
     generator = ca.CodeGenerator(f"model_{next(iter(functions))}.c", options)
