@@ -18,6 +18,7 @@ from acausal.version import __version__
 if TYPE_CHECKING:
     from acausal.api import CompiledModel, Model, load, loads
     from acausal.errors import AcausalError
+    from acausal.export.casadi_model import load_casadi
     from acausal.notebook import load_ipython_extension
     from acausal.simulate.result import Result
 
@@ -28,6 +29,7 @@ __all__ = [
     "Result",
     "__version__",
     "load",
+    "load_casadi",
     "load_ipython_extension",
     "loads",
 ]
@@ -38,6 +40,7 @@ _HOMES = {
     "Model": "acausal.api",
     "Result": "acausal.simulate.result",
     "load": "acausal.api",
+    "load_casadi": "acausal.export.casadi_model",
     "load_ipython_extension": "acausal.notebook",
     "loads": "acausal.api",
 }

@@ -9,13 +9,11 @@
 
 from __future__ import annotations
 
-import math
-import operator
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, SupportsIndex, TypeAlias, cast
+from typing import TYPE_CHECKING, cast
 
 from acausal.errors import Diagnostic, Source, UsageProblem, fail
 from acausal.lang.base_reading import decoded, is_base_modelica
@@ -24,7 +22,9 @@ from acausal.lang.library import Library, read_source
 from acausal.pipeline import Compilation, Stage, compile_model, print_stage
 from acausal.sources import (
     FILE_ENDINGS,
+    ParameterValue,
     add_source,
+    as_modelica,
     class_name,
     existing_file,
     searched_directories,
@@ -42,14 +42,12 @@ if (
     from acausal.codegen.functions import Code
     from acausal.explain.explanation import Explanation
     from acausal.export.c_export import Package
+    from acausal.export.casadi_model import CasadiModel
     from acausal.simulate.inputs import InputValue
     from acausal.simulate.jacobian import Jacobian
     from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
     from acausal.symbolic.causal import Block, CausalSystem
-
-ParameterValue: TypeAlias = float | int | bool | str | SupportsIndex | Iterable["ParameterValue"]
-"""A number, a Boolean, Modelica text (`"{1, 2}"`, `"Types.Mode.open"`), or a list of these."""
 
 
 @dataclass(frozen=True)
@@ -258,6 +256,30 @@ class CompiledModel:
         package.write(Path(folder))
         return package
 
+    def to_casadi(
+        self,
+        *,
+        variables: Sequence[str] = (),
+        everything: bool = False,
+        parameters: Mapping[str, Override] | None = None,
+        start: Mapping[str, float] | None = None,
+        inputs: Mapping[str, InputValue] | None = None,
+    ) -> CasadiModel:
+        """CasADi Functions `ode`, `dae`, `jac`, `events`, `update`, `outputs`, `initial`; see docs/export.md.
+
+        `variables` names the outputs; the rest says from which start the labels have their values.
+        """
+        from acausal.export.casadi_model import to_casadi
+
+        return to_casadi(
+            self.code,
+            variables=variables,
+            everything=everything,
+            parameters=parameters,
+            start=start,
+            inputs=inputs,
+        )
+
     def linearize(
         self,
         at: At = "initial",
@@ -360,25 +382,3 @@ def check_flat(flat: FlatModel) -> None:
     """
     order_parameters(flat)
     check_balance(flat, as_component=True)
-
-
-def as_modelica(value: ParameterValue, name: str = "") -> str:
-    """A Python value as a Modelica expression; text is taken as it is.
-
-    Raises `UsageProblem` for what is not a number.
-    """
-    match value:
-        case str():
-            return value
-        case bool():
-            return "true" if value else "false"
-        case float():
-            if not math.isfinite(value):
-                raise fail(
-                    UsageProblem, "usage.parameter-value", f"{value} is no value for `{name}`", names=[name]
-                )
-            return repr(float(value))
-        case Iterable():
-            return "{" + ", ".join([as_modelica(item, name) for item in value]) + "}"
-        case _:
-            return repr(operator.index(value))

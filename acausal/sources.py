@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+import operator
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import SupportsIndex, TypeAlias
 
 from acausal.errors import LookupProblem, Source, SyntaxProblem, UsageProblem, fail
 from acausal.lang.base_reading import as_modelica_text, is_base_modelica, model_of
@@ -94,3 +97,29 @@ def _qualified(library: Library, name: str, tops: Sequence[str]) -> str:
     except LookupProblem:
         return name
     return inside
+
+
+ParameterValue: TypeAlias = float | int | bool | str | SupportsIndex | Iterable["ParameterValue"]
+"""A number, a Boolean, Modelica text (`"{1, 2}"`, `"Types.Mode.open"`), or a list of these."""
+
+
+def as_modelica(value: ParameterValue, name: str = "") -> str:
+    """A Python value as a Modelica expression; text is taken as it is.
+
+    Raises `UsageProblem` for what is not a number.
+    """
+    match value:
+        case str():
+            return value
+        case bool():
+            return "true" if value else "false"
+        case float():
+            if not math.isfinite(value):
+                raise fail(
+                    UsageProblem, "usage.parameter-value", f"{value} is no value for `{name}`", names=[name]
+                )
+            return repr(float(value))
+        case Iterable():
+            return "{" + ", ".join([as_modelica(item, name) for item in value]) + "}"
+        case _:
+            return repr(operator.index(value))

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import acausal
-from acausal.api import ParameterValue, as_modelica
 from acausal.errors import LookupProblem, SyntaxProblem, UsageProblem
+from acausal.sources import ParameterValue, as_modelica
 
 SPRING = """\
 model Spring "A mass on a spring <b>"

@@ -7,9 +7,11 @@ from pathlib import Path
 
 from acausal.api import CompiledModel
 from acausal.cli.commands import Target
-from acausal.cli.output import print_diagnostics, print_json, print_table, print_text
-from acausal.errors import UnsupportedProblem, UsageProblem, fail
+from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
+from acausal.errors import UsageProblem, fail
 from acausal.export.c_export import export_c
+from acausal.export.casadi_model import to_casadi
+from acausal.export.package import package_name
 
 
 @dataclass(frozen=True)
@@ -31,8 +33,9 @@ class Wish:
 
 def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
     """Compiles, writes, and says what was written. What cannot be exported leaves nothing behind."""
-    if wish.to != "c":
-        raise fail(UnsupportedProblem, "export.target", f"there is no export to {wish.to}", hint="use --to c")
+    if wish.to == "casadi":
+        _export_casadi(target, wish, as_json=as_json)
+        return
     if wish.output is not None and wish.output.exists() and not wish.output.is_dir():
         raise fail(UsageProblem, "usage.output", f"`{wish.output}` is a file; an export to C is a folder")
     compiled = CompiledModel(target.run())
@@ -68,3 +71,28 @@ def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
         ]
     )
     print_text(f"\nbuild it: make -C {folder}; run it: {folder}/{package.name} --help")
+
+
+def _export_casadi(target: Target, wish: Wish, *, as_json: bool) -> None:
+    compiled = CompiledModel(target.run())
+    print_diagnostics(compiled.warnings)
+    model = to_casadi(compiled.code, variables=wish.variables, everything=wish.everything)
+    name = package_name(wish.name or compiled.name)
+    file = wish.output if wish.output is not None else Path(f"{name}.casadi")
+    check_writable(file)
+    model.save(file)
+    if as_json:
+        print_json(
+            {
+                "model": model.name,
+                "functions": list(model.functions),
+                "states": list(model.names("x")),
+                "inputs": list(model.names("u")),
+                "outputs": list(model.names("y")),
+                "tunables": list(model.names("tunable")),
+                "files": {file.name: file.stat().st_size},
+            }
+        )
+        return
+    print_text(f"{model.name} as CasADi functions in {file}\n")
+    print_table([(name, f"{f.n_instructions()} instructions") for name, f in model.functions.items()])

@@ -33,10 +33,10 @@ def tunables(code: Code, names: Sequence[str]) -> tuple[Tunable, ...]:
     Raises `LookupProblem` and `UsageProblem` for what cannot be changed.
     """
     if not names:
-        return tuple([t for t in _parameters(code) if _is_top(code.system.flat.by_name[t.name])])
+        return tuple([t for t in free_parameters(code) if _is_top(code.system.flat.by_name[t.name])])
     found: dict[str, Tunable] = {}
     for name in names:
-        chosen = [*_parameters(code), *_starts(code)] if name == ALL else [_named(code, name)]
+        chosen = [*free_parameters(code), *_starts(code)] if name == ALL else [_named(code, name)]
         found.update({t.name: t for t in chosen})
     return tuple(found.values())
 
@@ -45,7 +45,8 @@ def _is_top(variable: Variable) -> bool:
     return variable.top_level and not variable.protected
 
 
-def _parameters(code: Code) -> list[Tunable]:
+def free_parameters(code: Code) -> list[Tunable]:
+    """Every parameter that can be changed without compiling again."""
     found: list[Tunable] = []
     for i, name in enumerate(code.system.parameters):
         variable = code.system.flat.by_name[name]

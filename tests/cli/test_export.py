@@ -25,3 +25,11 @@ def test_export_into_a_file_is_refused(call: Call, working_directory: Path) -> N
     done = call("export", "Tank.mo", "-o", "taken")
     assert done.status == 2
     assert "is a file" in done.err
+
+
+def test_export_to_casadi(call: Call, working_directory: Path) -> None:
+    done = call("export", "Tank.mo", "--to", "casadi", "-o", "tank.casadi", "--json")
+    assert done.status == 0
+    summary = json.loads(done.out)
+    assert summary["functions"][:3] == ["ode", "dae", "jac"]
+    assert summary["files"] == {"tank.casadi": (working_directory / "tank.casadi").stat().st_size}
