@@ -1,0 +1,10 @@
+within TenSpeed.Benches;
+model SwitchValveL5 "Switch valve at level 5: pilot pressure up and down"
+  extends Interfaces.SwitchBench(redeclare model Valve = Valves.Levels.SwitchValveL5,
+    inflow = valve.m_supply + valve.m_pilot);
+  annotation(
+    experiment(StopTime = 4.8, Tolerance = 1e-6, Interval = 1e-3),
+    Documentation(info = "<html>
+<p>No state.</p>
+</html>"));
+end SwitchValveL5;
