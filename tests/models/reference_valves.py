@@ -119,7 +119,7 @@ def solve_solenoid(
     par: Parameters, current: tuple[float, float, float], stop_time: float, points: int
 ) -> tuple[Array, Array]:
     """Time points and the states over them, from rest at ambient pressure."""
-    start = np.array([0.0, 0.0, 0.0, par["p_0"], par["p_0"]])
+    start = np.array([0.0, par["F_preload"] / par["c"], 0.0, par["p_0"], par["p_0"]])
     result = cast(
         "Any",
         solve_ivp(

@@ -12,8 +12,9 @@ partial model PartialSpool "Spool with spring, preload and elastic end stops"
     "Stiffness of the end stops; chosen: 1 kN/mm, a preloaded spool rests some hundredths of a millimetre deep";
   parameter Mechanics.Units.ContactDampingConstant b_stop = 1
     "Damping of the end stops relative to their elastic force; chosen: a spool that hits at 1 m/s rebounds at 0.6 m/s";
+  parameter Mechanics.Units.Position s_start = 0 "Proposed initial position";
   Mechanics.Translational.Interfaces.Flange flange "Everything that acts on the spool";
-  Mechanics.Units.Position s(start = 0, nominal = 1e-3, stateSelect = StateSelect.prefer) "Position";
+  Mechanics.Units.Position s(start = s_start, nominal = 1e-3, stateSelect = StateSelect.prefer) "Position";
   Mechanics.Units.Force springForce "Force of the spring, positive pushes towards negative position";
   Mechanics.Units.Force stopForce "Force of both end stops, positive pushes towards positive position";
 equation

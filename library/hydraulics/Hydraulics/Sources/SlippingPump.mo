@@ -1,6 +1,6 @@
 within Hydraulics.Sources;
 model SlippingPump "Prescribed volume flow, constant or rising smoothly, less what slips back"
-  extends Interfaces.PartialSource;
+  extends Interfaces.PartialSource(port(p(start = p_shutOff)));
   parameter Units.VolumeFlowRate q_start "Displaced flow before the ramp";
   parameter Units.VolumeFlowRate q_end = q_start "Displaced flow after the ramp";
   parameter Mechanics.Units.Time startTime = 0 "Start of the ramp";

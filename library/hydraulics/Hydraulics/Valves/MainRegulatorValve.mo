@@ -11,6 +11,7 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
   parameter Units.Coefficient dampingRatio = 0.05
     "Damping of spool and spring, relative to critical; nominal damping factor of the study";
   parameter Mechanics.Units.TranslationalDampingConstant d_spool = 2*dampingRatio*sqrt(c*m) "Damping";
+  parameter Mechanics.Units.Position s_start = 0 "Proposed initial position of the spool";
   parameter Mechanics.Units.Position s_max = 5e-3 "Position of the upper end stop; chosen: 3.7 mm behind the last edge";
   // Edges
   parameter Units.Diameter d = 14e-3 "Diameter of the spool at its edges; chosen: usual for main regulators";
@@ -47,7 +48,8 @@ model MainRegulatorValve "Main regulator: three edges relieve the line, feedback
     final c = c,
     final F_preload = F_preload,
     final d = d_spool,
-    final s_max = s_max) "Spool with spring and end stops";
+    final s_max = s_max,
+    final s_start = s_start) "Spool with spring and end stops";
   Components.SpoolEdge converterEdge(
     final fluid = fluid,
     final overlap = overlapConverter,

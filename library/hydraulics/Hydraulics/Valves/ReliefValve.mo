@@ -31,7 +31,8 @@ model ReliefValve "Spool that opens an edge from its inlet volume to the drain"
     final c = c,
     final F_preload = F_preload,
     final d = d,
-    final s_max = s_max) "Spool with spring and end stops";
+    final s_max = s_max,
+    final s_start = Functions.restPosition(F_preload, c, 1e6, 0, s_max)) "Spool with spring and end stops";
   Components.SpoolEdge edge(
     final fluid = fluid,
     final overlap = overlap,

@@ -34,7 +34,8 @@ model ThreeWayValve "Spool between supply, outlet and drain: positive motion fil
     final d = d,
     final s_max = s_max,
     final c_stop = c_stop,
-    final b_stop = b_stop) "Spool with spring and end stops";
+    final b_stop = b_stop,
+    final s_start = Functions.restPosition(F_preload, c, c_stop, 0, s_max)) "Spool with spring and end stops";
   Components.SpoolEdge supplyEdge(
     final fluid = fluid,
     final opens = Types.Direction.Positive,

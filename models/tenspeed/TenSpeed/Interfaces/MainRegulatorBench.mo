@@ -8,11 +8,11 @@ partial model MainRegulatorBench "Main regulator alone, its outlets at prescribe
     q_end = 30/60000,
     startTime = 0.5,
     duration = 2) constrainedby Hydraulics.Interfaces.PartialSource "Supply, a flow or a pressure";
-  Hydraulics.Sources.PressureSource pilot(
-    p_start = 3e5,
-    p_end = 3e5,
-    startTime = 3,
-    duration = 0.05) "Pilot supply; chosen: middle of a solenoid's range";
+  Signals.Sources.SmoothSteps command(
+    times = {0.02},
+    values = {101325, 3e5},
+    duration = 0.1) "Pilot pressure: at rest, then in the middle of a solenoid's range";
+  Hydraulics.Sources.PressureSignal pilot "Pilot supply";
   Hydraulics.Sources.PressureSource converter(p_start = 5e5) "Converter circuit; chosen: usual charge pressure";
   Hydraulics.Sources.PressureSource lubrication(p_start = 3e5) "Lubrication circuit; chosen: usual feed pressure";
   Hydraulics.Sources.Tank suction "Pump inlet";
@@ -24,6 +24,7 @@ partial model MainRegulatorBench "Main regulator alone, its outlets at prescribe
   output Hydraulics.Units.MassFlowRate outflow = valve.m_out "Mass flow out of the valve";
   output Mechanics.Units.Mass m_oil = valve.m_oil "Mass of oil and air in the valve";
 equation
+  connect(command.y, pilot.p);
   connect(supply.port, valve.line);
   connect(pilot.port, valve.pilot);
   connect(valve.converter, converter.port);

@@ -17,7 +17,8 @@ model AccumulatorStage "Piston of the accumulator valve behind its orifice"
     final c = c,
     final F_preload = F_preload,
     final d = d,
-    final s_max = s_max) "Piston with spring and end stops";
+    final s_max = s_max,
+    final s_start = Hydraulics.Functions.restPosition(F_preload, c, 1e6, 0, s_max)) "Piston with spring and end stops";
   Hydraulics.Components.OrificeFeedback chamber(
     redeclare model Chamber = Chamber,
     final fluid = fluid,

@@ -1,21 +1,20 @@
 within TenSpeed.Valves;
 model ConverterMap "Converter regulator at level 5: the line's pressure sets how far the edge is open"
-  extends Interfaces.PartialReliefStage;
-  parameter Hydraulics.Units.PressureDifference p_closed = 5e5
+  extends Interfaces.PartialReliefStage(inlet(p(start = p_0 + p_closed)));
+  parameter Hydraulics.Units.PressureDifference p_closed = 4.953e5
     "Line above the atmosphere at which the edge begins to open; calibrated on ConverterRegulatorL1";
-  parameter Real stiffness(unit = "Pa/m") = 3e7 "Rise of the line's pressure per opening; calibrated likewise";
-  parameter Mechanics.Units.Position s_max = 3e-3 "Largest opening";
+  parameter Real stiffness(unit = "Pa/m") = 2.438e7 "Rise of the line's pressure per opening; calibrated likewise";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Components.SpoolEdge edge(
     final fluid = fluid,
     overlap = 0.3e-3,
     d = 20e-3,
-    coverage = 0.3,
+    coverage = 0.45,
     hasFlowForce = false) "As ConverterStage";
   Mechanics.Translational.Sources.PositionSignal opening "Of the edge";
 equation
   // Opening
-  s = smooth(0, noEvent(min(s_max, max(0, (inlet.p - p_0 - p_closed)/stiffness))));
+  s = smooth(0, noEvent(max(0, (inlet.p - p_0 - p_closed)/stiffness)));
   opening.s = s;
   connect(opening.flange, edge.flange);
   // Oil
@@ -23,6 +22,6 @@ equation
   connect(edge.port_b, drain);
   m_oil = 0;
   annotation(Documentation(info = "<html>
-<p>s = (p - p_0 - p_closed) / stiffness between 0 and s_max. Spool, chambers and line have no state.</p>
+<p>s = (p - p_0 - p_closed) / stiffness, not below 0. Spool, chambers and line have no state.</p>
 </html>"));
 end ConverterMap;

@@ -11,12 +11,12 @@ model ConverterStage "Spool of the converter regulator with its feedback and lin
     final p_start = p_start,
     final m = m,
     final d = d,
-    c = 3e3,
+    c = 2e3,
     F_preload = 100,
     s_max = 3e-3,
     overlap = 0.3e-3,
     d_edge = 20e-3,
-    coverage = 0.3,
+    coverage = 0.45,
     jetAngle = 1.35,
     V_inlet = 500e-6) "Spool, edge and line";
   Feedback feedback1(

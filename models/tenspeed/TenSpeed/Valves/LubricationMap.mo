@@ -1,10 +1,9 @@
 within TenSpeed.Valves;
 model LubricationMap "Lubrication regulator at level 5: the line's pressure sets how far the edge is open"
-  extends Interfaces.PartialReliefStage;
-  parameter Hydraulics.Units.PressureDifference p_closed = 2e5
+  extends Interfaces.PartialReliefStage(inlet(p(start = p_0 + p_closed)));
+  parameter Hydraulics.Units.PressureDifference p_closed = 1.988e5
     "Line above the atmosphere at which the edge begins to open; calibrated on LubricationRegulatorL1";
-  parameter Real stiffness(unit = "Pa/m") = 1e7 "Rise of the line's pressure per opening; calibrated likewise";
-  parameter Mechanics.Units.Position s_max = 3e-3 "Largest opening";
+  parameter Real stiffness(unit = "Pa/m") = 7.30e6 "Rise of the line's pressure per opening; calibrated likewise";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Components.SpoolEdge edge(
     final fluid = fluid,
@@ -15,7 +14,7 @@ model LubricationMap "Lubrication regulator at level 5: the line's pressure sets
   Mechanics.Translational.Sources.PositionSignal opening "Of the edge";
 equation
   // Opening
-  s = smooth(0, noEvent(min(s_max, max(0, (inlet.p - p_0 - p_closed)/stiffness))));
+  s = smooth(0, noEvent(max(0, (inlet.p - p_0 - p_closed)/stiffness)));
   opening.s = s;
   connect(opening.flange, edge.flange);
   // Oil
@@ -23,6 +22,6 @@ equation
   connect(edge.port_b, drain);
   m_oil = 0;
   annotation(Documentation(info = "<html>
-<p>s = (p - p_0 - p_closed) / stiffness between 0 and s_max. Spool, chambers and line have no state.</p>
+<p>s = (p - p_0 - p_closed) / stiffness, not below 0. Spool, chambers and line have no state.</p>
 </html>"));
 end LubricationMap;

@@ -1,11 +1,10 @@
 within TenSpeed.Valves;
 model MainMap "Main regulator at level 5: the line's pressure sets how far the edges are open"
-  extends Interfaces.PartialMainStage;
-  parameter Hydraulics.Units.PressureDifference p_closed = 6e5
+  extends Interfaces.PartialMainStage(line(p(start = 10e5)));
+  parameter Hydraulics.Units.PressureDifference p_closed = 5.81e5
     "Line above the atmosphere at which the edges begin to open, without pilot; calibrated on MainRegulatorFlowL1";
   parameter Mechanics.Units.Ratio gain = 1.5 "Line pressure per pilot pressure; ratio of the lands";
-  parameter Real stiffness(unit = "Pa/m") = 4e7 "Rise of the line's pressure per opening; calibrated likewise";
-  parameter Mechanics.Units.Position s_max = 3e-3 "Largest opening";
+  parameter Real stiffness(unit = "Pa/m") = 5.87e7 "Rise of the line's pressure per opening; calibrated likewise";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Components.SpoolEdge converterEdge(
     final fluid = fluid,
@@ -31,7 +30,7 @@ model MainMap "Main regulator at level 5: the line's pressure sets how far the e
   Mechanics.Translational.Sources.PositionSignal opening "Of all edges";
 equation
   // Opening
-  s = smooth(0, noEvent(min(s_max, max(0, (line.p - p_0 - p_closed - gain*(pilot.p - p_0))/stiffness))));
+  s = smooth(0, noEvent(max(0, (line.p - p_0 - p_closed - gain*(pilot.p - p_0))/stiffness)));
   opening.s = s;
   connect(opening.flange, converterEdge.flange);
   connect(opening.flange, lubricationEdge.flange);
@@ -46,7 +45,7 @@ equation
   pilot.q = 0;
   m_oil = 0;
   annotation(Documentation(info = "<html>
-<p>s = (p_line - p_0 - p_closed - gain (p_pilot - p_0)) / stiffness between 0 and s_max. Spool, chambers and line have no
+<p>s = (p_line - p_0 - p_closed - gain (p_pilot - p_0)) / stiffness, not below 0. Spool, chambers and line have no
 state: fed by a flow the line's pressure is what makes the edges take that flow.</p>
 </html>"));
 end MainMap;

@@ -23,6 +23,7 @@ model MainStage "Spool of the main regulator with its chambers and the line"
     final hasFlowForce = hasFlowForce,
     c = 5e3,
     F_preload = 180,
+    s_start = -180/1.005e6,
     s_max = 3e-3,
     d = 20e-3,
     coverage = 0.5,

@@ -1,8 +1,8 @@
 within TenSpeed.Valves;
 model ShiftMap "Shift solenoid valve at level 5: outlet pressure by a weight that depends on the current"
   extends Interfaces.PartialSolenoidStage;
-  parameter Electrical.Units.Current i_off = 0.365 "The outlet is drained below; calibrated on ShiftSolenoidL1";
-  parameter Electrical.Units.Current i_on = 0.392 "The outlet is filled above; calibrated on ShiftSolenoidL1";
+  parameter Electrical.Units.Current i_off = 0.3615 "The outlet is drained below; calibrated on ShiftSolenoidL1";
+  parameter Electrical.Units.Current i_on = 0.3985 "The outlet is filled above; calibrated on ShiftSolenoidL1";
   parameter Real w_on(unit = "1") = 0.994 "Weight when filled, below 1 by leakage; calibrated on ShiftSolenoidL1";
   Hydraulics.Valves.ThreeWayMap map(final fluid = fluid) "Outlet pressure";
 equation

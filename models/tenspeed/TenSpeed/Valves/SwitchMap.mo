@@ -1,10 +1,10 @@
 within TenSpeed.Valves;
 model SwitchMap "Switch valve at level 5: outlet pressure by a weight that depends on the pilot pressure"
   extends Interfaces.PartialSwitchStage;
-  parameter Hydraulics.Units.AbsolutePressure p_switch = 3.53e5
+  parameter Hydraulics.Units.AbsolutePressure p_switch = 3.61e5
     "Pilot pressure at which the valve is half open; the middle of the hysteresis of SwitchValveL1";
   parameter Hydraulics.Units.PressureDifference p_width = 0.2e5 "Range over which it opens; chosen: small against p_switch";
-  parameter Real w_on(unit = "1") = 0.999 "Weight when open, below 1 by leakage; calibrated on SwitchValveL1";
+  parameter Real w_on(unit = "1") = 0.9978 "Weight when open, below 1 by leakage; calibrated on SwitchValveL1";
   Hydraulics.Valves.ThreeWayMap map(final fluid = fluid) "Outlet pressure";
 equation
   connect(supply, map.supply);

@@ -1,7 +1,11 @@
 within TenSpeed.Valves;
 partial model TwoWayClutchSwitch "Net force of the pressures, and the position that the detents let it choose"
   extends Interfaces.PartialTwoWayClutchStage;
-  parameter Mechanics.Units.Force F_pass = 16.6 "Force that passes the detents; calibrated on TwoWayClutchValveL1";
+  final parameter Mechanics.Units.Force rise = c_detent*hump/2 "Of a detent's force half-way up";
+  final parameter Mechanics.Units.Ratio steepest = ((F_detent + rise) - sqrt((F_detent + rise)^2 + 8*rise^2))/(4*rise)
+    "Cosine of the cam's phase at which the detents' force is largest";
+  parameter Mechanics.Units.Force F_pass = 2*Hydraulics.Constants.pi*hump/stroke*sqrt(1 - steepest^2)*
+    (F_detent + rise*(1 - steepest)) "Force that passes both detents; largest force of the rigid cam";
   Mechanics.Units.Force net "Force of the pressures";
   Boolean toDrive(start = false) "The chosen position is drive";
 equation
