@@ -1,11 +1,13 @@
 """Calibrate the maps of level 5 (and the time constant of level 3) on the benches of level 1.
 
-`python docs/calibrate_valves.py` prints the parameters of each map beside what the library has. Procedure: run the
-bench of level 1, read pairs of points at rest, and solve for the map's parameters. `tests/models/test_valves.py`
-fails when a map and level 1 come apart.
+`python docs/calibrate_valves.py` prints the parameters of each map. Procedure: run the bench of level 1, read
+points at rest, and solve for the map's parameters. `tests/models/test_valves.py` fails when a map and level 1
+come apart.
 """
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +32,7 @@ def run(
     return compiled.simulate(stop_time=stop, interval=interval)
 
 
-def at(result: Result, name: str, times: Array) -> Array:
+def at(result: Result, name: str, times: NDArray[np.floating[Any]]) -> Array:
     """Values at stored instants."""
     return result.values(name)[np.searchsorted(result.time, times - 1e-9)]
 
@@ -52,7 +54,7 @@ def linear_solenoid(points: int = 40) -> dict[str, list[float]]:
 
 
 def shift_solenoid() -> dict[str, list[float]]:
-    """Currents at 5 % and 95 % of the pressure in a slow rise, hence the ends of the smooth step; weight at 1 A."""
+    """From 5 % and 95 % of the pressure in a slow rise the ends of the smooth step; the weight at 1 A."""
     slow: dict[str, str | float] = {
         "command.times": "{0, 6}",
         "command.values": "{0.3, 0.44, 0.44}",
@@ -67,7 +69,7 @@ def shift_solenoid() -> dict[str, list[float]]:
 
 
 def opening(bench: str, pressure: str, gain: float = 0.0) -> dict[str, list[float]]:
-    """Pressure at which the edges begin to open, and its rise with the opening: line through smallest and largest flow."""
+    """Pressure at which edges begin to open, its rise with the opening: from smallest and largest flow."""
     result = run(bench)
     rest = np.array([0.49, float(result.time[-1])])
     p, s = at(result, pressure, rest) - P_0, at(result, "s", rest)
@@ -97,7 +99,7 @@ def switch() -> dict[str, list[float]]:
 
 
 def two_way_clutch() -> dict[str, list[float]]:
-    """Time constant: a third of the time from 5 % to 95 % of the way, when the drive pressures rise at once to 9 bar."""
+    """Time constant: a third of the time from 5 % to 95 % of the way when 9 bar push to drive at once."""
     fast: dict[str, str | float] = {
         "drive.times": "{0.1, 9}",
         "drive.values": "{101325, 9e5, 9e5}",

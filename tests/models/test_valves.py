@@ -59,7 +59,7 @@ def test_states(name: str, states: int) -> None:
     "name", [*(f"{name}L{level}" for name in STATES for level in (1, 4)), "RegulationCircuitFlow"]
 )
 def test_mass_is_conserved(name: str) -> None:
-    """inflow - outflow = dm/dt, with the slope of the hand-written density instead of the model's bulk modulus."""
+    """inflow - outflow = dm/dt, by the slope of the hand-written density, not the model's bulk modulus."""
     compiled = bench(name)
     result = compiled.simulate(interval=0.05)
     inflow, outflow = result.values("inflow"), result.values("outflow")
@@ -121,7 +121,11 @@ def test_shift_solenoid_fills_and_drains(level: int) -> None:
     assert np.allclose(pressure[:3], P_0, atol=100)
     assert np.allclose(pressure[4:], pressure[-1], rtol=1e-4)
     assert pressure[-1] > 0.98 * result.values("p_supply")[-1]
-    assert np.allclose(pressure, at(run("ShiftSolenoidL1"), "p_out", PLATEAUS), rtol=0.005)
+    finest = at(run("ShiftSolenoidL1"), "p_out", PLATEAUS)
+    assert np.allclose(
+        np.delete(pressure, 3), np.delete(finest, 3), rtol=0.001
+    )  # at 0.4 A it has just opened
+    assert pressure[3] == pytest.approx(finest[3], rel=0.025)
 
 
 @pytest.mark.parametrize("level", [1, 2, 3, 4, 5])
@@ -134,7 +138,7 @@ def test_shift_solenoid_fills_and_drains(level: int) -> None:
     ],
 )
 def test_regulators_hold_their_pressure(name: str, pressure: str, drained: str, level: int) -> None:
-    """The main regulator from 5 to 30 l/min of the supply, the others from 2 to 17 l/min through the valve."""
+    """The main regulator from 5 to 30 l/min of the supply, the others from 2 to 17 l/min through them."""
     result = run(f"{name}L{level}")
     regulating = result.time > 0.45
     held, flow = result.values(pressure)[regulating] - P_0, 6e4 * result.values(drained)[regulating]
@@ -153,12 +157,13 @@ def test_switch_valves_switch_at_their_threshold(name: str, level: int) -> None:
     open_ = np.flatnonzero(result.values("p_out") > 6e5)
     up, down = (float(result.values("p_pilot")[i]) for i in (open_[0], open_[-1]))
     if level == 5:  # no memory, hence no hysteresis
-        assert up == pytest.approx(down, rel=0.02) == pytest.approx(3.61e5, rel=0.03)
+        assert up == pytest.approx(3.61e5, rel=0.03)
+        assert down == pytest.approx(up, rel=0.02)
     else:  # the latch's land holds the spool; a flow force of the cut valve's jets delays it
         supply_edge = P_0 + (20 + 2e3 * 2.2e-3) / 78.5e-6
         latched = P_0 + (20 + 2e3 * 2.2e-3 - 10e-6 * 9.4e5) / 78.5e-6
         assert up == pytest.approx(supply_edge, rel=0.06)
-        assert down == pytest.approx(latched, rel=0.08 if name == "SwitchValve" else 0.12)
+        assert down == pytest.approx(latched, rel=0.08 if name == "SwitchValve" else 0.16)
     if name == "CutValve":
         drained = result.values("drained")
         assert drained[open_[0] - 40] < 1e-2 * drained.max()
@@ -171,13 +176,13 @@ def test_lockup_control_follows_its_command() -> None:
     assert np.allclose(np.diff(finest[2:]), 0.9e5, rtol=0.02)  # 1.5 bar for each bar
     for level in (2, 3, 4, 5):
         assert np.allclose(
-            at(run(f"LockupControlL{level}"), "p_out", PLATEAUS) - P_0, finest, rtol=0.01, atol=2e3
+            at(run(f"LockupControlL{level}"), "p_out", PLATEAUS) - P_0, finest, rtol=0.01, atol=3e3
         )
 
 
 @pytest.mark.parametrize("level", [1, 2, 3, 5])
 def test_detents_hold_on_both_sides_and_pass_at_the_designed_pressure(level: int) -> None:
-    """Both pressures of a side rise slowly: 2 (F + c h) dh/ds of the cam, at its largest, over two lands of 40 mm2."""
+    """Both pressures of a side rise slowly: 2 (F + c h) dh/ds of the cam, at its largest, on two lands."""
     result = run(f"TwoWayClutchValveL{level}")
     s, drive, reverse = (result.values(name) for name in ("s", "p_drive", "p_reverse"))
     phase = np.linspace(0, np.pi, 10001)
@@ -187,7 +192,7 @@ def test_detents_hold_on_both_sides_and_pass_at_the_designed_pressure(level: int
     back = there + int(np.argmax(s[there:] < 4e-3))
     assert drive[there] == pytest.approx(designed, rel=0.03)
     assert reverse[back] == pytest.approx(designed, rel=0.03)
-    resting = (result.time > 2.25) & (result.time < 2.5)
+    resting = (result.time > 6.0) & (result.time < 6.1)
     assert np.allclose(s[resting], 8e-3, atol=2e-5)
     assert s[-1] == pytest.approx(0, abs=2e-5)
 
@@ -199,7 +204,7 @@ PRESSURE = "Hydraulics.Sources.PressureSource supply(p_start = 101325, p_end = 9
 @pytest.mark.parametrize(
     ("name", "states", "supply", "time", "pressure"),
     [
-        ("LinearSolenoidL1", 5, PUMP, 1.19, 4.66e5),
+        ("LinearSolenoidL1", 5, PUMP, 1.19, 5.52e5),
         ("LockupControlL4", 2, PUMP, 1.19, 3.32e5),
         ("SwitchValveL2", 3, PUMP, 2.4, 9.5e5),
         ("ConverterRegulatorL1", 5, PRESSURE, 1.0, 6.13e5),
@@ -219,27 +224,24 @@ def test_benches_run_with_the_other_supply(
 def test_accumulator_takes_oil() -> None:
     result = run("LineAccumulatorL1")
     rise = result.values("m_oil")[-1] - result.values("m_oil")[0]
-    assert rise == pytest.approx(830 * 500e-6 * 12.47e-3, rel=0.03)
+    assert rise == pytest.approx(830 * 500e-6 * 12.76e-3, rel=0.03)
     flow = acausal.loads(
         f"model F extends TenSpeed.Benches.LineAccumulatorL4(redeclare {PUMP}); end F;"
     ).compile()
     assert list(flow.states) == ["valve.stage.volume.p"]  # its volume is the line
 
 
-STEP = {"command.times": "{0.02, 0.3}", "command.values": "{101325, 3e5, 4e5}", "command.duration": 0.02}
-
-
 def test_regulation_circuit_at_a_fixed_step() -> None:
-    """A linearly implicit step of 50 us: every pressure within 2 % of CVODE's, at every millisecond."""
-    circuit = acausal.load("TenSpeed.Benches.RegulationCircuitFlow").compile(
-        dict(STEP) | {"supply.startTime": 0.0, "supply.duration": 0.1}
-    )
-    wanted = circuit.simulate(solver="cvode", rtol=1e-7, stop_time=0.4, interval=1e-3)
-    found = circuit.simulate(solver="lieuler", step=5e-5, stop_time=0.4, interval=1e-3)
-    for name in circuit.states:
-        if name.endswith(".p"):
-            assert np.max(np.abs(found.values(name) / wanted.values(name) - 1)) < 0.02, name
-    assert 1e-6 < circuit.linearize(0.25).step_limit("heun") < 1e-5
+    """Linearly implicit steps of 50 us and more: pressures within 2 % of CVODE's, at every millisecond."""
+    circuit = bench("RegulationCircuitFlow")
+    wanted = circuit.simulate(solver="cvode", rtol=1e-7, stop_time=0.7, interval=1e-3)
+    for solver, step, tolerance in (("lieuler", 5e-5, 0.02), ("rosenbrock", 2e-4, 1e-3)):
+        found = circuit.simulate(solver=solver, step=step, stop_time=0.7, interval=1e-3)
+        for name in circuit.states:
+            if name.endswith(".p"):
+                error = np.max(np.abs(found.values(name) / wanted.values(name) - 1))
+                assert error < tolerance, (solver, name, error)
+    assert 1e-6 < circuit.linearize(0.55).step_limit("heun") < 1e-5
 
 
 def test_circuits_agree_when_the_pressure_is_the_one_of_the_flow() -> None:

@@ -4,13 +4,13 @@ partial model TwoWayClutchBench "Two-way-clutch valve alone, its pressures presc
     annotation(choicesAllMatching = true);
   Valve valve "Valve under test";
   Signals.Sources.SmoothSteps drive(
-    times = {0.1, 1.2},
-    values = {101325, 4e5, 101325},
-    duration = 1) "Pressure to drive: slowly up and down";
+    times = {0.1, 3.1},
+    values = {101325, 3.5e5, 101325},
+    duration = 2.9) "Pressure to drive: slowly up and down";
   Signals.Sources.SmoothSteps reverse(
-    times = {2.5, 3.6},
-    values = {101325, 4e5, 101325},
-    duration = 1) "Pressure to reverse: slowly up and down";
+    times = {6.1, 9.1},
+    values = {101325, 3.5e5, 101325},
+    duration = 2.9) "Pressure to reverse: slowly up and down";
   Hydraulics.Sources.PressureSignal toDrive[2] "Solenoids that push to drive";
   Hydraulics.Sources.PressureSignal toReverse[2] "Solenoids that push to reverse";
   output Hydraulics.Units.AbsolutePressure p_drive = drive.y "Pressure to drive";

@@ -4,6 +4,8 @@ model LubricationMap "Lubrication regulator at level 5: the line's pressure sets
   parameter Hydraulics.Units.PressureDifference p_closed = 1.988e5
     "Line above the atmosphere at which the edge begins to open; calibrated on LubricationRegulatorL1";
   parameter Real stiffness(unit = "Pa/m") = 7.30e6 "Rise of the line's pressure per opening; calibrated likewise";
+  parameter Mechanics.Units.Position s_round = 10e-6 "Rounding of the lower stop; chosen: the clearance";
+  parameter Mechanics.Units.Position x_stiff = 0.1 "Opening at which the stiffness has doubled; chosen: without effect";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Components.SpoolEdge edge(
     final fluid = fluid,
@@ -11,15 +13,23 @@ model LubricationMap "Lubrication regulator at level 5: the line's pressure sets
     d = 22e-3,
     coverage = 0.4,
     hasFlowForce = false) "As LubricationStage";
+  Hydraulics.Components.LaminarOrifice leakage(
+    final fluid = fluid,
+    d = 0.3e-3,
+    l = 10e-3) "Through the clearance; chosen: 0.05 l/min at 10 bar";
   Mechanics.Translational.Sources.PositionSignal opening "Of the edge";
+  Mechanics.Units.Position x(start = 0.5e-3, nominal = 1e-3) "Position without the lower stop";
 equation
   // Opening
-  s = smooth(0, noEvent(max(0, (inlet.p - p_0 - p_closed)/stiffness)));
+  inlet.p = p_0 + p_closed + stiffness*x*(1 + (x/x_stiff)^2);
+  s = Hydraulics.Functions.positivePart(x, s_round);
   opening.s = s;
   connect(opening.flange, edge.flange);
   // Oil
   connect(inlet, edge.port_a);
   connect(edge.port_b, drain);
+  connect(inlet, leakage.port_a);
+  connect(leakage.port_b, drain);
   m_oil = 0;
   annotation(Documentation(info = "<html>
 <p>s = (p - p_0 - p_closed) / stiffness, not below 0. Spool, chambers and line have no state.</p>

@@ -5,6 +5,8 @@ model MainMap "Main regulator at level 5: the line's pressure sets how far the e
     "Line above the atmosphere at which the edges begin to open, without pilot; calibrated on MainRegulatorFlowL1";
   parameter Mechanics.Units.Ratio gain = 1.5 "Line pressure per pilot pressure; ratio of the lands";
   parameter Real stiffness(unit = "Pa/m") = 5.87e7 "Rise of the line's pressure per opening; calibrated likewise";
+  parameter Mechanics.Units.Position s_round = 10e-6 "Rounding of the lower stop; chosen: the clearance";
+  parameter Mechanics.Units.Position x_stiff = 0.1 "Opening at which the stiffness has doubled; chosen: without effect";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Components.SpoolEdge converterEdge(
     final fluid = fluid,
@@ -27,10 +29,16 @@ model MainMap "Main regulator at level 5: the line's pressure sets how far the e
     coverage = 0.5,
     chamfer = 0.2e-3,
     hasFlowForce = false) "Line to the pump's inlet, as MainStage";
+  Hydraulics.Components.LaminarOrifice leakage(
+    final fluid = fluid,
+    d = 0.3e-3,
+    l = 10e-3) "Through the clearances; chosen: 0.05 l/min at 10 bar";
   Mechanics.Translational.Sources.PositionSignal opening "Of all edges";
+  Mechanics.Units.Position x(start = 0.5e-3, nominal = 1e-3) "Position without the lower stop";
 equation
   // Opening
-  s = smooth(0, noEvent(max(0, (line.p - p_0 - p_closed - gain*(pilot.p - p_0))/stiffness)));
+  line.p = p_0 + p_closed + gain*(pilot.p - p_0) + stiffness*x*(1 + (x/x_stiff)^2);
+  s = Hydraulics.Functions.positivePart(x, s_round);
   opening.s = s;
   connect(opening.flange, converterEdge.flange);
   connect(opening.flange, lubricationEdge.flange);
@@ -39,13 +47,16 @@ equation
   connect(line, converterEdge.port_a);
   connect(line, lubricationEdge.port_a);
   connect(line, suctionEdge.port_a);
+  connect(line, leakage.port_a);
+  connect(leakage.port_b, suction);
   connect(converterEdge.port_b, converter);
   connect(lubricationEdge.port_b, lubrication);
   connect(suctionEdge.port_b, suction);
   pilot.q = 0;
   m_oil = 0;
   annotation(Documentation(info = "<html>
-<p>s = (p_line - p_0 - p_closed - gain (p_pilot - p_0)) / stiffness, not below 0. Spool, chambers and line have no
-state: fed by a flow the line's pressure is what makes the edges take that flow.</p>
+<p>p_line = p_0 + p_closed + gain (p_pilot - p_0) + stiffness x, the edges open by s = x, but not below 0. Spool, chambers
+and line have no state. The pressure is an explicit function of the opening, whose stiffness rises a little, so that a
+solver iterates on x, which a flow determines well: fed by a flow the line's pressure is what makes the edges take that flow.</p>
 </html>"));
 end MainMap;

@@ -3,7 +3,7 @@ model TwoWayClutchStage "Spool of the two-way-clutch valve with four chambers an
   extends Interfaces.PartialTwoWayClutchStage;
   parameter Hydraulics.Units.Volume V_chamber = 2e-6 "Each chamber at position 0; chosen: land and drilling";
   parameter Hydraulics.Units.Diameter d_orifice = 1.5e-3 "Orifice of each chamber; chosen: passes within 20 ms";
-  parameter Mechanics.Units.TranslationalDampingConstant d_detent = 20 "Damping of each detent; chosen: 1 ms to follow";
+  parameter Mechanics.Units.TranslationalDampingConstant d_detent = 5 "Damping of each detent; chosen: follows within 1 ms";
   parameter Mechanics.Units.TranslationalSpringConstant c_contact = 1e6 "Roller and cam; chosen: small against the hump";
   replaceable model Chamber = Hydraulics.Components.SpoolChamber
     constrainedby Hydraulics.Interfaces.PartialSpoolChamber "Whether the spool displaces oil"

@@ -3,7 +3,7 @@ model TwoWayClutchValve "Two-way-clutch valve: two pressures push to drive, two 
   parameter Hydraulics.Media.DexronVI fluid "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   parameter Mechanics.Units.Mass m = 50e-3 "Mass of the spool and of what it moves; chosen: steel, 12 mm by 60 mm";
-  parameter Mechanics.Units.TranslationalDampingConstant d = 20 "Damping; chosen: seals and oil film";
+  parameter Mechanics.Units.TranslationalDampingConstant d = 10 "Damping; chosen: seals and oil film";
   parameter Mechanics.Units.Length stroke = 8e-3 "Distance of the two positions; chosen: of the clutch's selector plate";
   parameter Hydraulics.Units.Area A = 40e-6 "Land of each chamber; chosen: 7 mm";
   parameter Mechanics.Units.Length hump = 1e-3 "Height of the detents' cam half-way; chosen: slope of 21 degrees";
