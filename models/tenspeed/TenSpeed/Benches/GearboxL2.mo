@@ -1,9 +1,6 @@
 within TenSpeed.Benches;
 model GearboxL2 "Shift sweep of the gearbox at level 2"
-  extends Interfaces.GearboxBench(
-    redeclare Gearbox.Architecture gearbox(
-      redeclare model Gearset = Gearbox.ElasticGearset,
-      redeclare model OutputGear = Gearbox.HelicalOutputGear));
+  extends Interfaces.GearboxBench(redeclare Gearbox.Level2 gearbox);
   annotation(
     experiment(StopTime = 50, Tolerance = 1e-6, Interval = 1e-3),
     Documentation(info = "<html>

@@ -27,6 +27,7 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
     J = vehicle.inertia.J,
     c_drag = vehicle.c_drag,
     leverArm = brake.leverArm) "Schedule of the brake";
+  Gearbox.PressureLine line[6] "From schedule to pressure; may fail";
   Hydraulics.Sources.PressureSignal source[6] "Prescribed pressures";
   Hydraulics.Sources.PressureSource lockup(p_start = 1.1e5) "Lock-up clutch stays open";
   output Mechanics.Units.Ratio ratio "Speed of body 1 over speed of body 8 where it turns faster than 1 rad/s, else 0";
@@ -58,7 +59,8 @@ equation
   connect(brakeForce.y, brake.f_normal);
   brakeForce.w = vehicle.inertia.w;
   // Pressures
-  connect(pressure.y, source.p);
+  connect(pressure.y, line.p_command);
+  connect(line.p, source.p);
   connect(source.port, gearbox.port);
   connect(lockup.port, gearbox.portLockup);
   // Two-way clutch is locked both ways in reverse

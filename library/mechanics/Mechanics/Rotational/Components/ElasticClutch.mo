@@ -20,10 +20,10 @@ protected
 equation
   // Spring and damper about the angle of lock
   tau_stick = c*(phi_rel - phi_lock) + d*w_rel;
-  // Plates slip once the capacity is exceeded, and stick again when the slip has died
+  // Plates slip once the capacity is exceeded, and stick again when the slip has died; open ones never stick
   breaking = if pre(stuck) then noEvent(min(abs(tau_stick) - capacity, unitDamping*(sign(tau_stick)*w_rel - w_small)))
     else -1;
-  sticking = if pre(stuck) then -1 else -pre(direction)*w_rel;
+  sticking = if pre(stuck) then -1 else noEvent(if capacity > 0 then -pre(direction)*w_rel else -1);
   stuck = if pre(stuck) then not breaking > 0 else sticking > 0;
   when not stuck then
     direction = noEvent(if w_rel > 0 then 1 else -1);
@@ -40,6 +40,7 @@ equation
 <p>Sticking plates: tau = c (phi_rel - phi_lock) + d w_rel, at most the capacity. They slip when the torque exceeds the
 capacity while the slip goes on, with tau = &plusmn; T(|w|) of slipping plates, and stick again when the slip passes
 zero. phi_lock is a discrete variable, chosen then so that the torque stays what it was: the plates are wound up by
-capacity/c. No state is added. Plates that slip stay wound up by tau/c.</p>
+capacity/c. No state is added. Plates that slip stay wound up by tau/c. An open clutch is left alone: its slip may pass
+zero as often as it will.</p>
 </html>"));
 end ElasticClutch;

@@ -1,0 +1,2 @@
+within TenSpeed.Gearbox;
+model Level2 = Architecture(redeclare model Gearset = ElasticGearset, redeclare model OutputGear = HelicalOutputGear) "Gearbox at level 2";
