@@ -15,6 +15,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, cast
 
+from acausal.analysis.methods import Linearizing
 from acausal.errors import Diagnostic, Source, UsageProblem, fail
 from acausal.lang.base_reading import decoded, is_base_modelica
 from acausal.lang.flat import FlatModel
@@ -37,8 +38,6 @@ from acausal.symbolic.parameters import order_parameters
 if (
     TYPE_CHECKING
 ):  # CasADi, SUNDIALS and xarray take a second to import, and checking a model needs none of them
-    from acausal.analysis.linearize import At
-    from acausal.analysis.snapshot import Snapshot
     from acausal.codegen.functions import Code
     from acausal.explain.explanation import Explanation
     from acausal.export.c_export import Package
@@ -116,7 +115,7 @@ class Model:
 
 
 @dataclass(frozen=True)
-class CompiledModel:
+class CompiledModel(Linearizing):
     """A model that went through the whole pipeline; every stage can be looked at."""
 
     compilation: Compilation
@@ -279,22 +278,6 @@ class CompiledModel:
             start=start,
             inputs=inputs,
         )
-
-    def linearize(
-        self,
-        at: At = "initial",
-        *,
-        parameters: Mapping[str, Override] | None = None,
-        start: Mapping[str, float] | None = None,
-        inputs: Mapping[str, InputValue] | None = None,
-    ) -> Snapshot:
-        """A, B, C, D, eigenvalues and modes at the start, at the steady state near it, or `at` seconds.
-
-        See `acausal.analysis.linearize.linearize`, also for what is raised.
-        """
-        from acausal.analysis.linearize import linearize
-
-        return linearize(self.code, at, parameters=parameters, start=start, inputs=inputs)
 
     def jacobian(
         self,

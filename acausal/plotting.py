@@ -71,8 +71,12 @@ class NotebookFigure(Figure):
     """A figure that notebooks show; those of Matplotlib are shown only where pyplot made them."""
 
     def _repr_png_(self) -> bytes:
+        return self.as_png()
+
+    def as_png(self, dpi: int = 110) -> bytes:
+        """The same picture each time."""
         buffer = BytesIO()
-        self.savefig(buffer, format="png", dpi=110)
+        self.savefig(buffer, format="png", dpi=dpi, metadata={"Software": ""})
         return buffer.getvalue()
 
 
@@ -114,7 +118,7 @@ def bars(names: Sequence[str], values: Sequence[float], label: str, path: Path) 
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     axes.barh(range(len(names)), values, color=COLOURS[0])
-    axes.set_yticks(range(len(names)), [_plain(name) for name in names])
+    axes.set_yticks(range(len(names)), [plain(name) for name in names])
     axes.set_xlabel(label)
     write_figure(figure, path)
 
@@ -132,16 +136,16 @@ def _panel(axes: Axes, result: Plottable, curves: Sequence[_Curve], unit: str) -
         colour = COLOURS[i % len(COLOURS)]
         style = STYLES[i // len(COLOURS) % len(STYLES)]
         values = curve.factor * result.values(curve.name)
-        axes.plot(result.time, values, color=colour, linestyle=style, linewidth=1.4, label=_plain(curve.name))
+        axes.plot(result.time, values, color=colour, linestyle=style, linewidth=1.4, label=plain(curve.name))
     label = f"[{unit}]" if unit else "[-]"
-    axes.set_ylabel(_plain(f"{curves[0].name} {label}" if len(curves) == 1 else label))
+    axes.set_ylabel(plain(f"{curves[0].name} {label}" if len(curves) == 1 else label))
     axes.grid(visible=True, color="#DDDDDD", linewidth=0.6)
     axes.margins(x=0)
     if len(curves) > 1:
         axes.legend(loc="best", fontsize="small", framealpha=0.8)
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Text that Matplotlib takes literally: no mathematics between dollars, no leading underscore."""
     escaped = text.replace("$", r"\$")
     return f" {escaped}" if escaped.startswith("_") else escaped

@@ -6,6 +6,7 @@ modes as they are.
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import dataclass
 
 import casadi as ca
@@ -30,6 +31,21 @@ class Matrices:
     d: Matrix
 
 
+def alias_of(code: Code, name: str) -> tuple[float, str] | None:
+    """The sign and the output that a variable equals, if it is one that was eliminated."""
+    sign, seen = 1.0, name
+    for _ in range(len(code.system.aliases) + 1):
+        value = code.system.alias_values.get(seen)
+        if value is None:
+            return (sign, seen) if seen != name else None
+        if value.op == "neg":
+            sign, value = -sign, value.args[0]
+        if value.op != "sym":
+            return None
+        seen = value.name
+    return None
+
+
 def linear_function(code: Code) -> Function:
     """`(t, x, p, m, u, d, z) -> (A, B, C, D)` as one Function; `z` is a guess of the tearing variables."""
     names = code.ode.name_in()
@@ -42,12 +58,32 @@ def linear_function(code: Code) -> Function:
     return Function("linear", symbols, matrices, names, ["A", "B", "C", "D"], FORWARD)
 
 
-def matrices_at(evaluator: Evaluator, function: Function | None = None) -> Matrices:
+def state_matrix(evaluator: Evaluator) -> Matrix:
+    """A alone, at the evaluator's present point, whose blocks must be solved there."""
+    evaluator.jac()
+    pattern = evaluator.code.pattern
+    dense = np.zeros((len(evaluator.x), len(evaluator.x)))
+    dense[pattern.row(), pattern.get_col()] = evaluator.jacobian
+    return dense
+
+
+_made: OrderedDict[int, tuple[Code, Function]] = OrderedDict()
+"""Linearising again needs no new function."""
+_KEPT = 16
+
+
+def _known(code: Code) -> Function:
+    if id(code) not in _made:
+        _made[id(code)] = (code, linear_function(code))
+        if len(_made) > _KEPT:
+            _made.popitem(last=False)
+    return _made[id(code)][1]
+
+
+def matrices_at(evaluator: Evaluator) -> Matrices:
     """The matrices at the evaluator's present point, whose blocks must be solved there."""
-    code = evaluator.code
-    chosen = function if function is not None else linear_function(code)
-    e = evaluator
-    values = chosen.call([e.t, e.x, e.p, e.m, e.u, e.d, e.guess])
+    e, code = evaluator, evaluator.code
+    values = _known(code).call([e.t, e.x, e.p, e.m, e.u, e.d, e.guess])
     a, b, c, d = (np.asarray(value.full(), dtype=np.float64) for value in values)
     inputs = len(code.system.flat.inputs)  # what follows them are delayed values, which do not react at once
     return Matrices(a, b[:, :inputs], c, d[:, :inputs])

@@ -1,29 +1,39 @@
-"""A compiled model linearised at its start, at an instant of a run, or where it is steady."""
+"""A compiled model linearised at its start, at instants of a run, or where it is steady."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-import numpy as np
-
-from acausal.analysis.linear import matrices_at
+from acausal.analysis.linear import state_matrix
+from acausal.analysis.modes import modes
+from acausal.analysis.points import Point, points_of_run
 from acausal.analysis.snapshot import Snapshot
 from acausal.analysis.steady import steady_state
+from acausal.analysis.truth import growing, relations
 from acausal.codegen.functions import Code
 from acausal.errors import UsageProblem, fail
+from acausal.lang.flat import REAL, Causality
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.initialize import initialize
 from acausal.simulate.inputs import InputValue
 from acausal.simulate.options import resolve
 from acausal.simulate.overrides import Override
-from acausal.simulate.simulate import integrate
 from acausal.simulate.solvers import AUTO, chosen
 from acausal.symbolic.expressions.text import to_text
 
 At: TypeAlias = "float | Literal['initial', 'steady']"
-_STEADY = 1e-6
-"""Largest derivative of a state at rest, relative to its nominal value per second."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a run is given: parameters, start values, inputs and tolerance; nothing compiles again."""
+
+    parameters: Mapping[str, Override] = field(default_factory=dict[str, Override])
+    start: Mapping[str, float] = field(default_factory=dict[str, float])
+    inputs: Mapping[str, InputValue] = field(default_factory=dict[str, InputValue])
+    rtol: float | None = None
 
 
 def linearize(
@@ -37,40 +47,43 @@ def linearize(
 ) -> Snapshot:
     """The snapshot at the start (`initial`), at the steady state near it (`steady`), or at a time of a run.
 
-    Modes and discrete values are frozen as they are there. Raises `InitializationProblem`,
-    `SimulationProblem`, and `UsageProblem` `linearize.dynamic-states` for a model whose choice of states
-    changes during a run, and `linearize.at` for what is no instant of a run.
+    Modes and discrete values are frozen as they are there. Raises what `snapshots` raises.
     """
-    if code.system.dynamic is not None:
-        raise fail(
-            UsageProblem,
-            "linearize.dynamic-states",
-            f"{code.system.flat.name} has no choice of states that is valid everywhere",
-            names=code.system.states,
-            hint="choose states with stateSelect, or write it in coordinates that are valid everywhere",
-        )
+    setting = Setting(parameters or {}, start or {}, inputs or {}, rtol)
+    return snapshots(code, [at], setting)[0]
+
+
+def snapshots(code: Code, at: Sequence[At], setting: Setting | None = None) -> tuple[Snapshot, ...]:
+    """The snapshots at several instants, in the order in which they are given; one run visits all of them.
+
+    Raises `InitializationProblem`, `SimulationProblem` (`steady.none`, `linearize.ended`), and `UsageProblem`
+    `linearize.at` for what is no instant of a run.
+    """
     began = code.system.flat.experiment.start_time or 0.0
-    until = _instant(at, began)
-    point = initialize(code, began, parameters, start, inputs, until)
-    evaluator = point.evaluator
-    evaluator.at(began, point.x)
-    if until > began:
-        experiment = code.system.flat.experiment
-        options = resolve(
-            experiment,
-            start_time=began,
-            stop_time=until,
-            interval=until - began,
-            rtol=rtol,
-            solver=chosen(AUTO),
-            has_events=bool(code.located),
-        )
-        run = integrate(point, options)
-        evaluator.at(float(run.time[-1]), np.array([run.values(name)[-1] for name in code.system.states]))
-    elif at == "steady":
-        evaluator.at(began, steady_state(evaluator).x)
-    evaluator.settle()
-    return _snapshot(evaluator)
+    instants = [_instant(one, began) for one in at]
+    points = points_at(code, sorted(set(instants)), setting or Setting())
+    return tuple(
+        snapshot_at(points[instant], "steady" if one == "steady" else "initial" if one == "initial" else "")
+        for one, instant in zip(at, instants, strict=True)
+    )
+
+
+def points_at(code: Code, instants: Sequence[float], setting: Setting) -> dict[float, Point]:
+    """The points of one run at ascending instants; the first may be its start."""
+    experiment = code.system.flat.experiment
+    began, until = experiment.start_time or 0.0, max(instants)
+    start = initialize(code, began, setting.parameters, setting.start, setting.inputs, until)
+    span = resolve(experiment, start_time=began).span if experiment.stop_time is not None else until - began
+    options = resolve(
+        experiment,
+        start_time=began,
+        stop_time=until,
+        interval=experiment.interval or (min(span, until - began) / 500 if until > began else None),
+        rtol=setting.rtol,
+        solver=chosen(AUTO),
+        has_events=bool(code.located),
+    )
+    return dict(zip(instants, points_of_run(start, options, instants), strict=True))
 
 
 def _instant(at: At, began: float) -> float:
@@ -84,21 +97,41 @@ def _instant(at: At, began: float) -> float:
     raise fail(UsageProblem, "linearize.at", f"`{at}` is no instant of a run", hint=hint)
 
 
-def _snapshot(evaluator: Evaluator) -> Snapshot:
+def snapshot_at(point: Point, at: str = "") -> Snapshot:
+    """The snapshot at a point; `steady` goes to the steady state near it first."""
+    evaluator = point.evaluator()
+    if at == "steady":
+        steady = steady_state(evaluator)
+        evaluator = steady.evaluator
+        evaluator.at(point.time, steady.x)
+        evaluator.settle()
+    return snapshot_of(evaluator, at)
+
+
+def snapshot_of(evaluator: Evaluator, at: str = "") -> Snapshot:
+    """The snapshot at the evaluator's present point, which is settled."""
     code = evaluator.code
-    rates: list[float] = np.abs(evaluator.xdot / evaluator.x_nominal).tolist()
-    by_rate = sorted(zip(rates, code.system.states, strict=True), key=lambda pair: -pair[0])
-    moving = [name for rate, name in by_rate if rate > _STEADY]
-    warnings = (f"not at rest: {', '.join(moving[:5])} change",) if moving else ()
+    by_name = code.system.flat.by_name
+    a = state_matrix(evaluator)
+    found = modes(a, evaluator.x_nominal)
+    known = relations(evaluator)
+    leaves = tuple(to_text(leaf) for leaf in code.output_leaves)
+    declared = tuple(v.name for v in by_name.values() if v.causality is Causality.OUTPUT and v.type == REAL)
     return Snapshot(
         model=code.system.flat.name,
+        at=at,
         time=float(evaluator.t[0]),
         states=code.system.states,
         inputs=tuple(variable.name for variable in code.system.flat.inputs),
-        outputs=tuple(to_text(leaf) for leaf in code.output_leaves),
-        matrices=matrices_at(evaluator),
+        outputs=tuple(dict.fromkeys((*leaves, *declared))),
+        declared_outputs=declared,
+        point=Point.of(evaluator),
+        a=a,
+        modes=found,
         values=evaluator.x.copy(),
         rates=evaluator.xdot.copy(),
         nominals=evaluator.x_nominal.copy(),
-        warnings=warnings,
+        units=tuple(by_name[name].unit for name in code.system.states),
+        relations=known,
+        growing=growing(evaluator, found, known),
     )

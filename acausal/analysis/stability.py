@@ -27,6 +27,8 @@ _SLACK = 1e-12
 _UNDAMPED = 1e-10
 """Damping ratio below which an eigenvalue counts as purely imaginary."""
 _NEAR = 0.05
+FLOOR = 1e-12
+"""An eigenvalue this small beside the largest limits no step."""
 _REACH = 4.0
 """No explicit method here is stable for |z| above."""
 
@@ -65,6 +67,12 @@ def step_limit(method: str, eigenvalues: Sequence[complex] | Complex, floor: flo
     values = np.asarray(eigenvalues, dtype=np.complex128)
     counted = values[(np.abs(values) > floor) & (values.real <= floor)]
     return min((_limit(growth, value) for value in counted), default=inf)
+
+
+def step_limits(eigenvalues: Complex) -> dict[str, float]:
+    """The limit of every explicit method; eigenvalues that are 0 beside the largest do not count."""
+    floor = FLOOR * float(np.abs(eigenvalues).max(initial=0.0))
+    return {method: float(step_limit(method, eigenvalues, floor)) for method in GROWTH}
 
 
 def _limit(growth: Growth, eigenvalue: complex) -> float:

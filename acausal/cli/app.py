@@ -307,3 +307,54 @@ def metrics(
     from acausal.cli.metrics import run_metrics
 
     run_metrics(result, kind, plot, as_json=json)
+
+
+@app.command(short_help="Linearise a model: eigenvalues, modes, step limits.")
+def eigen(
+    model: _Model,
+    parameter: _Parameters = None,
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--at", metavar="T[,T...]", help="Seconds, `initial` (default) or `steady`; several by commas."
+        ),
+    ] = None,
+    result: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.csv", help="Take the instants from this stored result of MODEL."),
+    ] = None,
+    compare: Annotated[
+        str | None, typer.Option(metavar="MODEL2", help="Pair the modes with those of another model.")
+    ] = None,
+    sweep: Annotated[
+        str | None, typer.Option(metavar="NAME=A:B:N", help="Follow the roots over a parameter.")
+    ] = None,
+    variants: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv", help="A row of parameters for each variant.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the complex plane: PNG, SVG, PDF or HTML.")
+    ] = None,
+    mode: Annotated[
+        int | None, typer.Option("--mode", metavar="K", help="Draw the shape of mode K instead.")
+    ] = None,
+    animate_mode: Annotated[
+        int | None, typer.Option("--animate-mode", metavar="K", help="Draw mode K moving: GIF or HTML.")
+    ] = None,
+    all_: Annotated[bool, typer.Option("--all", help="Do not cut long tables.")] = False,
+    class_: _Class = None,
+    path: _Path = None,
+    json: _Json = False,
+) -> None:
+    """Take snapshots: the model near an instant, with everything discrete frozen as it is there.
+
+    For each: eigenvalues with frequency, damping and participating states, and the longest stable steps. With
+    --json: an object, or for several instants a list of them.
+    """
+    from acausal.cli.commands import Target
+    from acausal.cli.eigen import Request, run_eigen
+
+    target = Target(model, class_, tuple(path or ()), tuple(parameter or ()))
+    instants = tuple(at or ("initial",))
+    request = Request(instants, all_, result, compare, sweep, variants, plot, mode, animate_mode)
+    run_eigen(target, request, as_json=json)

@@ -36,6 +36,8 @@ class Options:
     step: float = 0.0
     locate: bool = True
     compiled: bool | None = None
+    times: tuple[float, ...] = ()
+    """Output times after the start, ascending, instead of the grid; a run goes to the stop time anyway."""
 
     @property
     def span(self) -> float:

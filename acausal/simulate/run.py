@@ -29,8 +29,12 @@ _ROUND = 64 * np.finfo(float).eps
 
 
 def grid(options: Options) -> Iterator[float]:
-    """Output times after the start: multiples of the interval, then the stop time."""
+    """Output times after the start: the chosen ones, or multiples of the interval; then the stop time."""
     start, stop, interval = options.start_time, options.stop_time, options.interval
+    if options.times:
+        yield from (time for time in options.times if start < time < stop)
+        yield stop
+        return
     count = int(np.ceil((stop - start) / interval * (1 - 1e-12))) if stop > start else 0
     for i in range(1, count):
         yield start + i * interval

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from math import sqrt
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 import acausal
 from acausal.analysis.linearize import At
-from acausal.errors import UsageProblem
+from acausal.errors import SimulationProblem, UsageProblem
 
 CHAIN = """model Chain
   parameter Integer n = 6; parameter Real c = 400, m = 0.5;
@@ -86,11 +87,92 @@ def test_regulator_at_rest() -> None:
     assert 0 < limits["euler"] < 1e-3
 
 
-def test_changing_states_are_refused() -> None:
-    text = """model P Real x(start = 1, fixed = true), y, u(fixed = true), v, T; equation
-      der(x) = u; der(y) = v; der(u) = -T*x; der(v) = -T*y - 9.81; x^2 + y^2 = 1; end P;"""
-    with pytest.raises(UsageProblem, match="choice of states"):
-        acausal.loads(text).compile().linearize()
+PENDULUM = """model Pendulum "In Cartesian coordinates: its states are chosen anew as it swings"
+  parameter Real L = 2, g = 9.81;
+  Real x(start = 1.9, fixed = true), y(start = -0.6), u(start = 0, fixed = true), v, T;
+equation
+  der(x) = u; der(y) = v; der(u) = -T*x; der(v) = -T*y - g; x^2 + y^2 = L^2;
+end Pendulum;"""
+
+
+def test_whatever_states_were_chosen() -> None:
+    compiled = acausal.loads(PENDULUM).compile()
+    rest = compiled.linearize("steady")
+    np.testing.assert_allclose(np.abs(rest.eigenvalues), sqrt(9.81 / 2), rtol=1e-7)
+    assert rest.is_equilibrium
+    chosen = [snapshot.states for snapshot in compiled.snapshots([0.0, 0.6, 1.2])]
+    assert len(frozenset(chosen)) > 1
+
+
+BALL = """model Ball "A ball on a spring that is there below zero only, with a count of its visits"
+  parameter Real c = 900, d = 0.2; Real s(start = 0.5, fixed = true), v(start = 0, fixed = true);
+  discrete Integer visits(start = 0, fixed = true);
+equation
+  der(s) = v;
+  der(v) = -9.81 - (if s < 0 then c*s else 0) - d*v;
+  when s < 0 then visits = pre(visits) + 1; end when;
+end Ball;"""
+
+
+def test_modes_are_frozen_as_they_are_there() -> None:
+    compiled = acausal.loads(BALL).compile()
+    free, touching, early = compiled.snapshots([0.1, 0.36, "initial"])
+    assert (free.time, touching.time, early.time) == (0.1, 0.36, 0.0)
+    assert free.eigenvalues.imag.tolist() == [0, 0]
+    assert abs(touching.eigenvalues.imag[0]) == pytest.approx(sqrt(900 - 0.01), rel=1e-9)
+    assert [(r.text, r.holds) for r in touching.relations] == [("s < 0", True)]
+    single = compiled.linearize(0.36)
+    np.testing.assert_allclose(single.values, touching.values, rtol=1e-9)
+
+
+def test_an_event_is_seen_from_before() -> None:
+    compiled = acausal.loads(BALL).compile()
+    fall = sqrt(2 * 0.5 / 9.81)
+    snapshot = compiled.linearize(0.3)
+    (relation,) = snapshot.relations
+    assert 0 < relation.seconds < 2 * (fall * 1.02 - 0.3)
+    assert snapshot.near_events == (relation,)
+    assert any("event is within a step" in text and "s < 0" in text for text in snapshot.warnings)
+
+
+def test_residual_by_state() -> None:
+    snapshot = acausal.loads(ROTOR).compile().linearize()
+    residual = dict(zip(snapshot.states, snapshot.residual.tolist(), strict=True))
+    assert residual["wa"] == pytest.approx((5 - 0.4) / 2)
+    assert residual["a"] == pytest.approx(0.5)  # half of it is the turning of both
+    assert snapshot.moving[0] in ("wa", "wb")
+    assert not snapshot.is_equilibrium
+
+
+def test_a_run_that_ends_before_the_instant() -> None:
+    text = """model Ends Real x(start = 0, fixed = true); equation der(x) = 1;
+      when x > 0.5 then terminate("far enough"); end when; end Ends;"""
+    with pytest.raises(SimulationProblem, match="far enough"):
+        acausal.loads(text).compile().linearize(0.8)
+
+
+def test_labels_and_control_theory() -> None:
+    snapshot = acausal.loads(CHAIN).compile().linearize()
+    assert snapshot.A.coords["state"].values.tolist() == list(snapshot.states)
+    assert float(snapshot.A[snapshot.states.index("s[1]"), snapshot.states.index("v[1]")]) == 1
+    bode = snapshot.bode("s[6]", frequency=[0.0, 1.0])
+    assert bode.magnitude[0, 0, 0] == pytest.approx(6 / 400)
+    assert dict(bode.to_xarray().sizes) == {"output": 1, "input": 1, "frequency": 2}
+    assert snapshot.bode().gain.shape == (12, 1, 400)
+    with pytest.raises(UsageProblem, match="has no inputs"):
+        acausal.loads(ROTOR).compile().linearize().bode()
+
+
+def test_python_control() -> None:
+    snapshot = acausal.loads(CHAIN).compile().linearize()
+    if find_spec("control") is None:
+        with pytest.raises(UsageProblem, match="python-control"):
+            snapshot.to_control()
+        return
+    system = snapshot.to_control(["s[6]"])
+    assert system.state_labels == list(snapshot.states)
+    np.testing.assert_array_equal(system.A, snapshot.matrices.a)
+    assert (system.output_labels, system.input_labels) == (["s[6]"], ["f"])
 
 
 @pytest.mark.parametrize("at", [-1.0, float("nan"), float("inf"), "later"])

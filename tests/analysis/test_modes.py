@@ -104,3 +104,46 @@ def test_a_matrix_that_is_not_finite_is_refused() -> None:
 
 def test_no_states() -> None:
     assert modes(np.zeros((0, 0))).modes == ()
+
+
+def test_slow_modes_of_a_stiff_system_stay_apart() -> None:
+    slow = [-1e-4, -2e-4, -1.0, -2.0]
+    found = modes(np.diag([*slow, -1e9]))
+    np.testing.assert_allclose(np.sort(found.eigenvalues.real)[::-1][:4], slow, rtol=1e-12)
+    assert [mode.kind for mode in found.modes] == ["decays"] * 5
+
+
+def test_an_angle_against_little_drag_is_no_rigid_body() -> None:
+    stiff = chain(2, 1e8, 0.1, free=True)
+    stiff[2, 2] = stiff[3, 3] = -1e-3
+    free, drag = modes(stiff).modes[:2]
+    assert (free.eigenvalue, free.kind) == (0, "free")
+    assert (drag.eigenvalue, drag.kind) == (pytest.approx(-1e-3, rel=1e-7), "decays")
+
+
+@pytest.mark.parametrize("order", [2, 3, 4])
+@pytest.mark.parametrize("value", [0.0, -3.0])
+def test_jordan_blocks_in_general_position(order: int, value: float) -> None:
+    others = [-10.0, -20.0, -50.0]
+    jordan = np.diag([value] * order + others) + np.diag([1.0] * (order - 1) + [0.0] * 3, k=1)
+    basis = np.random.default_rng(order).normal(size=jordan.shape)
+    found = modes(basis @ jordan @ np.linalg.inv(basis))
+    block = next(mode for mode in found.modes if mode.multiplicity > 1)
+    assert (block.multiplicity, block.is_defective) == (order, True)
+    assert block.eigenvalue == pytest.approx(value, abs=1e-7 * 50)
+    assert block.participation.sum() == pytest.approx(1)
+    np.testing.assert_allclose(
+        sorted(m.eigenvalue.real for m in found.modes if m is not block), sorted(others), rtol=1e-6
+    )
+
+
+def test_kinds() -> None:
+    swing = np.array([[0.0, 1.0], [-4.0, 0.2]])
+    assert [m.kind for m in modes(swing).modes] == ["grows oscillating"] * 2
+    assert [m.kind for m in modes(np.diag([0.0, 3.0])).modes] == ["free", "grows"]
+    assert modes(np.array([[0.0, 1.0], [0.0, 0.0]])).modes[0].kind == "rigid body"
+
+
+def test_leading_states_are_those_that_take_part() -> None:
+    found = modes(np.array([[-1.0, 1e-3], [0.0, -2.0]]))
+    assert found.modes[0].leading(("x", "y")) == ("x",)
