@@ -161,5 +161,5 @@ def _agree(code: Code, known: Mapping[str, Vector], modes: Vector) -> NDArray[np
     roots, sizes = (_mapped(function, known)[0] for function in (code.events, code.sizes))
     clear: NDArray[np.bool_] = np.abs(roots) > _ROUNDING * sizes
     wanted: Vector = np.array([literal_modes(ops, column) for column in roots.T], dtype=np.float64).T
-    kept: list[bool] = ((wanted == modes[:, None]) | ~clear).all(axis=0).tolist()
-    return np.array(kept, dtype=np.bool_)
+    agree = np.logical_or(np.equal(wanted, modes[:, None]), np.logical_not(clear))
+    return np.asarray(np.all(agree, axis=0), dtype=np.bool_)
