@@ -106,7 +106,7 @@ def is_partial(scope: Scope) -> bool:
 
 def check_not_replaceable(scope: Scope, reference: ast.ComponentReference) -> None:
     """The class of an `extends` clause cannot change (6.3.1, 7.1.4). Raises `extends.replaceable`."""
-    for current in scope.steps(reference):
+    for current in _steps(scope, reference):
         if _is_replaceable(current):
             raise fail(
                 TypeProblem,
@@ -125,3 +125,17 @@ def _is_replaceable(scope: Scope) -> bool:
     if not isinstance(scope.definition, ast.ShortClass) or scope.known_table is None:
         return False
     return _is_replaceable(scope.known_table.bases[0].scope)
+
+
+def _steps(scope: Scope, reference: ast.ComponentReference) -> list[Scope]:
+    """The classes that the parts of a class's name stand for, one after the other."""
+    first = reference.parts[0].name
+    current = scope.root.top(first) if reference.global_ else scope.find(first)
+    found: list[Scope] = []
+    for part in (*reference.parts[1:], None):
+        if not isinstance(current, type(scope)):  # a component
+            break
+        found.append(current)
+        if part is not None:
+            current = current.find_nested(part.name, part.span)
+    return found

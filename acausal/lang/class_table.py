@@ -126,6 +126,8 @@ class Table:
     """Names of classes that a protected `extends` inherits."""
     missing: set[str] = field(default_factory=set[str])
     """Names of classes that were looked for and are not there."""
+    declaration_order: list[ComponentEntry] | None = None
+    """Of a function: its variables, each behind those its declaration names, once it was called."""
     closed: bool | None = None
     """Whether it is or extends a simple type, an array class or one with a prefix, once that is known."""
 

@@ -158,7 +158,9 @@ def _run(
     frame = new_frame(translation, scope, env)
     translation.count_step(scope.path, node.span, call=True)
     entries = list(scope.table.components.values())
-    for entry in declaration_order(entries):
+    if scope.table.declaration_order is None:
+        scope.table.declaration_order = declaration_order(entries)
+    for entry in scope.table.declaration_order:
         value = given.get(entry.name)
         is_input = entry.clause.causality == "input"
         if value is None and is_input and default_of(entry) is None:

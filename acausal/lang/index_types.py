@@ -16,8 +16,10 @@ from acausal.lang.values import literal
 def check_use(translation: Translation, node: ast.ComponentReference, env: Env) -> None:
     """What a reference in an expression may name, and how. Raises `lookup.conditional`, `type.index`."""
     refuse_conditional(node, env)
-    if any(part.subscripts is not None for part in node.parts):
-        _check_index_types(translation, node, env)
+    for part in node.parts:
+        if part.subscripts is not None:
+            _check_index_types(translation, node, env)
+            return
 
 
 def _check_index_types(translation: Translation, node: ast.ComponentReference, env: Env) -> None:

@@ -14,7 +14,7 @@ from acausal.lang.arithmetic import type_error
 from acausal.lang.connection_errors import not_a_connector
 from acausal.lang.connection_nodes import connector_side
 from acausal.lang.expandable import Expansion, expand
-from acausal.lang.instance import Instance, Leaf
+from acausal.lang.instance import Absent, Instance, Leaf
 from acausal.lang.links import Link, links_of
 from acausal.lang.scope import Scope
 from acausal.lang.stream_flows import stream_flows
@@ -93,10 +93,16 @@ class Network:
         return self._counts.get(members[0].path, 0) if len(members) == 1 else 0
 
     def _count(self, span: Span) -> dict[str, int]:
+        """A connection with a component that is not there counts for none of its sides (4.4.5)."""
         counts: dict[str, int] = {}
         for link in self.links(span):
             if isinstance(link.node, ast.ConnectEquation):
-                for node in (link.node.left, link.node.right):
-                    for member in connector_side(self._translation, node, link.env).members:
-                        counts[member.path] = counts.get(member.path, 0) + 1
+                left, right = (
+                    connector_side(self._translation, node, link.env).members
+                    for node in (link.node.left, link.node.right)
+                )
+                for pair in zip(left, right, strict=False):  # sizes are compared where it is connected
+                    if not any(isinstance(member, Absent) and not member.potential for member in pair):
+                        for member in pair:
+                            counts[member.path] = counts.get(member.path, 0) + 1
         return counts

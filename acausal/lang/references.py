@@ -157,13 +157,16 @@ def refuse_conditional(node: ast.ComponentReference, env: Env) -> None:
     instance = env.context.instance
     if node.global_:
         return
+    last = len(node.parts) - 1
     for i, part in enumerate(node.parts):
         entry = None if instance is None else instance.scope.table.components.get(part.name)
         if instance is None or entry is None:
             return
         if entry.declaration.condition is not None:
             raise conditional(entry, part)
-        if entry.clause.prefixes.outer and i + 1 < len(node.parts):
+        if i == last:
+            return
+        if entry.clause.prefixes.outer:
             _check_declared(entry, node.parts[i + 1])
         member = instance.members.get(part.name)
         while isinstance(member, (Array, Outer)):

@@ -86,6 +86,7 @@ class Scope:
 
     __slots__ = (
         "_busy",
+        "_looked_up",
         "_modified",
         "_nested",
         "_table",
@@ -117,6 +118,7 @@ class Scope:
         self.replaced = replaced
         self._table: Table | None = None
         self._busy = False
+        self._looked_up: dict[str, Found | None] = {}
         self._nested: dict[str, Scope] = {}
         self._modified: dict[tuple[tuple[str, Modifier], ...], Scope] = {}
 
@@ -251,6 +253,17 @@ class Scope:
 
     def find(self, name: str) -> Found | None:
         """Look a simple name up here, in the imports, in the enclosing classes, then at the top level."""
+        if name in self._looked_up:
+            return self._looked_up[name]
+        found = self._look_up(name)
+        scope: Scope | None = self
+        while scope is not None and scope._table is not None and not scope._busy:
+            scope = scope.enclosing
+        if scope is None:  # else it may look different when the bases are known
+            self._looked_up[name] = found
+        return found
+
+    def _look_up(self, name: str) -> Found | None:
         scope: Scope | None = self
         while scope is not None:
             entry = scope.find_local(name)
@@ -283,19 +296,6 @@ class Scope:
                 check_complete(current, part.name, part.span)
             current = current.find_inside(part.name, part.span)
         return current
-
-    def steps(self, reference: ast.ComponentReference) -> list[Scope]:
-        """The classes that the parts of a class's name stand for, one after the other."""
-        first = reference.parts[0].name
-        current = self.root.top(first) if reference.global_ else self.find(first)
-        found: list[Scope] = []
-        for part in (*reference.parts[1:], None):
-            if not isinstance(current, Scope):
-                break
-            found.append(current)
-            if part is not None:
-                current = current.find_nested(part.name, part.span)
-        return found
 
     def base_class(self, reference: ast.ComponentReference) -> Scope:
         """The class that an `extends` clause or the right side of a short class names.

@@ -1,7 +1,8 @@
 """Parameters that seem to need each other, where a decided `if` needs one of them only.
 
 `T = if given_T then T0 else T_of(h)` beside `h = if given_T then h_of(T) else h0` is no circle when
-`given_T` is constant, `final` or evaluated: no run can take the other branches.
+`given_T` is constant, `final` or evaluated: no run can take the other branches. Where a tunable parameter
+decides, it becomes a structural one: to change it is to compile again.
 """
 
 from __future__ import annotations
@@ -12,29 +13,46 @@ from acausal.errors import LookupProblem
 from acausal.lang.flat import FlatModel, Variability, Variable
 from acausal.symbolic.expressions.construct import rebuild
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import Constant, Expr, fold
+from acausal.symbolic.expressions.expr import Constant, Expr, fold, symbols
 from acausal.symbolic.parameters import definition, order_parameters
 
 
 def without_cycles(flat: FlatModel) -> FlatModel:
-    """The model itself, or with values of parameters in which closed conditions have chosen their branch.
+    """The model itself, or with values of parameters in which conditions have chosen their branch.
 
     Circles that remain are left to whoever orders the parameters. O(size of the definitions).
     """
-    try:
-        order_parameters(flat)
-    except LookupProblem:
-        choose = _Choices(flat)
-        return replace(flat, variables=tuple([choose.decided(v) for v in flat.variables]))
+    if _is_ordered(flat):
+        return flat
+    for every in (False, True):
+        choose = _Choices(flat, every)
+        variables = [choose.decided(v) for v in flat.variables]
+        opened = replace(
+            flat,
+            variables=tuple([replace(v, structural=True) if v.name in choose.used else v for v in variables]),
+        )
+        if _is_ordered(opened):
+            return opened
     return flat
 
 
-class _Choices:
-    """Conditions that no run can change, by their values."""
+def _is_ordered(flat: FlatModel) -> bool:
+    try:
+        order_parameters(flat)
+    except LookupProblem:
+        return False
+    return True
 
-    def __init__(self, flat: FlatModel) -> None:
+
+class _Choices:
+    """Conditions by their values: those that no run can change, or those of all parameters (`every`)."""
+
+    def __init__(self, flat: FlatModel, every: bool) -> None:
         self._flat = flat
+        self._every = every
         self._busy: set[str] = set()
+        self.used: dict[str, None] = {}
+        """The parameters that decided something."""
 
     def decided(self, variable: Variable) -> Variable:
         """A parameter whose value has lost the branches that are never taken."""
@@ -53,14 +71,18 @@ class _Choices:
 
     def _known(self, condition: Expr) -> Constant | None:
         try:
-            return evaluate(condition, self._value)
+            known = evaluate(condition, self._value)
         except (NotConstant, EvaluationFailed):
             return None
+        self.used.update(dict.fromkeys(symbols([condition])))
+        return known
 
     def _value(self, name: str) -> Constant | None:
         """The value of what no run can change; None for everything else."""
         variable = self._flat.by_name.get(name)
-        if variable is None or variable.is_unknown or name in self._busy or not _is_closed(variable):
+        if variable is None or variable.is_unknown or name in self._busy:
+            return None
+        if not (self._every or _is_closed(variable)):
             return None
         expr = definition(variable)
         if expr is None or not variable.is_fixed:
