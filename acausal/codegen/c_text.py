@@ -54,6 +54,13 @@ def run_functions(code: Code) -> dict[str, Function]:
     return {name: f for name, f in found.items() if any(f.nnz_out(i) for i in range(f.n_out()))}
 
 
+def event_functions(code: Code) -> dict[str, Function]:
+    """What else is called at an event; those without results are left out."""
+    part = code.discrete
+    found = {"update": part.update, "memory": part.memory, "actions": part.actions}
+    return {name: function for name, function in found.items() if function.nnz_out(0)}
+
+
 def c_text(functions: Mapping[str, Function]) -> str:
     """One C file with all functions under their own names, for `long long` integers and doubles.
 
@@ -63,7 +70,17 @@ def c_text(functions: Mapping[str, Function]) -> str:
     generator = ca.CodeGenerator(f"model_{next(iter(functions))}.c", options)
     for function in functions.values():
         generator.add(function)
-    return _without_null_tests(generator.dump())
+    return _without_calls(_without_null_tests(generator.dump()))
+
+
+_CHOICES = (("return fmin(x, y);", "x < y"), ("return fmax(x, y);", "x > y"))
+
+
+def _without_calls(text: str) -> str:
+    """The smaller and the larger of two numbers (the number, if one is none) without the library's function."""
+    for call, test in _CHOICES:
+        text = text.replace(call, f"return {test} || y != y ? x : y;")
+    return text
 
 
 _OUTER = re.compile(r"^  return (casadi_f\d+)\(arg, res, iw, w, mem\);$", re.MULTILINE)

@@ -124,6 +124,12 @@ class Code:
         return self.jac.sparsity_out(0) if slopes is None else slopes.sparsity_out(0)
 
     @cached_property
+    def events_need_blocks(self) -> bool:
+        """Whether `events` depends on what the implicit blocks determine."""
+        last = self.events.n_in() - 1
+        return self.events.nnz_in(last) > 0 and self.events.jac_sparsity(0, last).nnz() > 0
+
+    @cached_property
     def output_leaves(self) -> tuple[Expr, ...]:
         """States, inputs, every unknown of the blocks, discrete variables: what `outputs` returns."""
         return output_leaves(self.system)

@@ -67,6 +67,7 @@ typedef struct {
     int autonomous;            /* `rate` is zero */
     int exact_rate;            /* 1: `derivative` gives `rate`, 2: `jac` does; else by differences */
     int takes_solution;        /* `jac` takes `z`, else `guess` */
+    int free_roots;            /* `events` does not read `z` */
     int settled;               /* the blocks are solved at (t, x): cleared where anything else changes */
     ac_long evaluations, jacobians;
 } ac_model;

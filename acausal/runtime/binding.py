@@ -75,6 +75,7 @@ class ModelStructure(Structure):
     autonomous: int
     exact_rate: int
     takes_solution: int
+    free_roots: int
     evaluations: int
     jacobians: int
     _fields_ = [
@@ -82,7 +83,7 @@ class ModelStructure(Structure):
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
         *_pointers("fill rescue owner"),
-        *_typed("autonomous exact_rate takes_solution settled", c_int),
+        *_typed("autonomous exact_rate takes_solution free_roots settled", c_int),
         *_typed("evaluations jacobians", c_longlong),
     ]
 

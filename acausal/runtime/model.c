@@ -166,7 +166,7 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
 int ac_roots(ac_model *m, double t, const double *x, double *g)
 {
     place(m, t, x);
-    if (m->guesses > 0 && solved(m) != 0) {
+    if (m->guesses > 0 && !m->free_roots && solved(m) != 0) {
         return AC_NOT_FINITE;
     }
     m->roots[0] = NAN;

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,8 @@ class Buffered:
         before: Callable[[], object] | None = None,
         rescue: Callable[[list[Vector]], bool] | None = None,
     ) -> None:
+        self._function = function
+        self._compiled: Callable[[], int] | None = None
         raw: Any = function.buffer()
         self._buffer: Any = raw[0]
         self._evaluate: Callable[[], None] = raw[1]
@@ -44,17 +47,36 @@ class Buffered:
     def __call__(self) -> bool:
         if self._before is not None:
             self._before()
-        try:
-            self._evaluate()
-            if self._buffer.ret() == 0 and (self._rescue is None or _all_finite(self.outputs)):
-                return True
-        except RuntimeError:
-            pass
+        if self._run() and (self._rescue is None or _all_finite(self.outputs)):
+            return True
         if self._rescue is not None and self._rescue(self.outputs):
             return True
         for array in self.outputs:
             array.fill(np.nan)
         return False
+
+    def _run(self) -> bool:
+        if self._compiled is not None:
+            return self._compiled() == 0
+        try:
+            self._evaluate()
+            return self._buffer.ret() == 0
+        except RuntimeError:
+            return False
+
+    def compile(self, library: ctypes.CDLL) -> None:
+        """Evaluates by compiled C from now on, if the library has the Function."""
+        function = self._function
+        entry = getattr(library, function.name(), None)
+        if entry is None:
+            return
+        tables = [np.zeros(size, dtype=np.uintp) for size in (function.sz_arg(), function.sz_res())]
+        for table, arrays in zip(tables, (self._inputs, self.outputs), strict=True):
+            table[: len(arrays)] = [array.ctypes.data for array in arrays]
+        work = np.zeros(function.sz_iw() + 1, dtype=np.int64), np.zeros(function.sz_w() + 1)
+        self._kept = (library, *tables, *work)
+        entry.argtypes, entry.restype = [ctypes.c_void_p] * 4 + [ctypes.c_int], ctypes.c_int
+        self._compiled = partial(entry, *(array.ctypes.data for array in (*tables, *work)), 0)
 
 
 class Robust:

@@ -9,6 +9,8 @@ and modes (events, outputs, conditions) uses its solution; `codegen.stitch` give
 
 from __future__ import annotations
 
+import ctypes
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -63,7 +65,7 @@ class Evaluator:
             else Buffered(quick.slopes, given, before, robust.slopes if self.guess.size else None)
         )
         self.output = Buffered(code.outputs, given, before)
-        self.event = Buffered(code.events, given, before)
+        self.event = Buffered(code.events, given, before if code.events_need_blocks else None)
         self.size = Buffered(code.sizes, given, before)
         self.condition = Buffered(code.conditions, given, before)
         self.update = Buffered(code.discrete.update, given, before)
@@ -77,6 +79,12 @@ class Evaluator:
         self.jacobian = self.jac.outputs[0]
         self.instant = Buffered(code.instants, [self.p, self.d])
         self.instants = self.instant.outputs[0]
+
+    def compile(self, library: ctypes.CDLL) -> None:
+        """Evaluates by the compiled functions of a library from now on, those that it has."""
+        functions = (self.ode, self.jac, self.output, self.event, self.size, self.condition)
+        for function in (*functions, self.update, self.memory, self.actions):
+            function.compile(library)
 
     @property
     def groups(self) -> dict[str, Vector]:

@@ -23,7 +23,7 @@ import numpy as np
 from casadi import Function
 from numpy.typing import NDArray
 
-from acausal.codegen.c_text import c_text, run_functions
+from acausal.codegen.c_text import c_text, event_functions, run_functions
 from acausal.codegen.functions import Code
 from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
@@ -38,7 +38,7 @@ HOPELESS = 150_000
 _PER_LINE = 1.5e-4
 _PER_OPERATION = 2.7e-9
 """Seconds that compiling a line, and an operation on the virtual machine, take: measured on the gearbox."""
-_LIGHT = ("jac", "output", "derivative", "assertions")
+_LIGHT = ("jac", "output", "derivative", "assertions", "scales", "update", "memory", "actions")
 """Functions that are called once a step at most: the compiler tries less hard."""
 
 _Kept = list[object]
@@ -49,6 +49,7 @@ class Machine:
 
     def __init__(self, code: Code) -> None:
         self.functions = run_functions(code)
+        self._all = {**self.functions, **event_functions(code)}
         self._sources: build.Sources | None = None
         self._begun = False
         self.library: ctypes.CDLL | None = None
@@ -57,7 +58,7 @@ class Machine:
     def sources(self) -> build.Sources:
         """The C text, made when it is first asked for: a file for each function."""
         if self._sources is None:
-            texts = {f"{name}.c": c_text({name: function}) for name, function in self.functions.items()}
+            texts = {f"{name}.c": c_text({name: function}) for name, function in self._all.items()}
             light = [name for name in texts if name[:-2] in _LIGHT or texts[name].count("\n") > LARGE]
             self._sources = build.Sources(texts, light=tuple(light))
         return self._sources

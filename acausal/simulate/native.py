@@ -130,6 +130,7 @@ class NativeSolver:
         slopes, quick = functions.get("jac"), code.quick
         together = quick.slopes is not None
         model.takes_solution = int(together)
+        model.free_roots = int(not code.events_need_blocks)
         has_rate = "derivative" in functions or (together and slopes is not None and slopes.nnz_out(1) > 0)
         model.exact_rate = (2 if together else 1) if has_rate and not evaluator.is_moving else 0
         model.autonomous = int(not has_rate and not evaluator.is_moving)
@@ -141,6 +142,8 @@ class NativeSolver:
 
     def _bind_functions(self) -> None:
         library = self._machine.library if self.is_compiled else None
+        if library is not None:
+            self._evaluator.compile(library)
         arrays = self._arrays
         results = {
             "ode": [arrays["xdot"], arrays["z"]],
