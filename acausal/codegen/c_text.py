@@ -77,7 +77,7 @@ _CHOICES = (("return fmin(x, y);", "x < y"), ("return fmax(x, y);", "x > y"))
 
 
 def _without_calls(text: str) -> str:
-    """The smaller and the larger of two numbers (the number, if one is none) without the library's function."""
+    """The smaller and the larger of two numbers (or the one that is a number) without the library's help."""
     for call, test in _CHOICES:
         text = text.replace(call, f"return {test} || y != y ? x : y;")
     return text

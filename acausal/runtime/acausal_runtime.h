@@ -67,6 +67,7 @@ typedef struct {
     int autonomous;            /* `rate` is zero */
     int exact_rate;            /* 1: `derivative` gives `rate`, 2: `jac` does; else by differences */
     int takes_solution;        /* `jac` takes `z`, else `guess` */
+    int unchecked;             /* `ac_slope` does not look whether its result is finite */
     int free_roots;            /* `events` does not read `z` */
     int settled;               /* the blocks are solved at (t, x): cleared where anything else changes */
     ac_long evaluations, jacobians;
@@ -123,7 +124,8 @@ typedef struct {
 
     /* Cost. */
     ac_long steps, rejected, failures;
-    double latest, longest;    /* wall time of the last and of the longest step */
+    double latest, longest;    /* wall time of the last and of the longest step, rows included */
+    double read;               /* what the clock said last */
     double *influence;         /* per state: summed share of the squared error */
     ac_long *error_failures, *convergence_failures;
 } ac_solver;

@@ -83,7 +83,7 @@ class ModelStructure(Structure):
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
         *_pointers("fill rescue owner"),
-        *_typed("autonomous exact_rate takes_solution free_roots settled", c_int),
+        *_typed("autonomous exact_rate takes_solution unchecked free_roots settled", c_int),
         *_typed("evaluations jacobians", c_longlong),
     ]
 
@@ -157,7 +157,7 @@ class SolverStructure(Structure):
         *_typed("index", c_longlong),
         ("lu", LuStructure),
         *_typed("steps rejected failures", c_longlong),
-        *_typed("latest longest", c_double),
+        *_typed("latest longest read", c_double),
         *_pointers("influence error_failures convergence_failures"),
     ]
 

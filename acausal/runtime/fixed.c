@@ -118,12 +118,8 @@ static int implicit(ac_solver *s, double h, const ac_rosenbrock *table)
     return code == 0 ? ac_stages(s, table, h) : code;
 }
 
-/* x1 at t0 + h from x0 at t0 and f0 there. */
-int ac_explicit(ac_solver *s, double h)
+static int stepped(ac_solver *s, double h)
 {
-    if (s->model->states == 0) {
-        return 0;
-    }
     switch (s->method) {
     case AC_AB2:
         return two_step(s, h);
@@ -143,6 +139,20 @@ int ac_explicit(ac_solver *s, double h)
         }
         return 0;
     }
+}
+
+/* x1 at t0 + h from x0 at t0 and f0 there. Whether all is finite shows at the end, where x1 is: only if it is not
+ * the step is made again, looking at every slope, for the point at which the trouble begins. */
+int ac_explicit(ac_solver *s, double h)
+{
+    ac_model *m = s->model;
+    if (m->states == 0) {
+        return 0;
+    }
+    m->unchecked = 1;
+    int code = stepped(s, h);
+    m->unchecked = 0;
+    return code == 0 && !ac_finite(s->x1, m->states) ? stepped(s, h) : code;
 }
 
 /* Dense output by a cubic through both ends and slopes, made when it is first asked for. */

@@ -187,7 +187,6 @@ static int fixed(ac_solver *s, double until)
 /* The next step and what it crosses: 0, AC_EVENT or an error. */
 static int moved(ac_solver *s, double until)
 {
-    double began = s->clock != NULL ? s->clock() : 0.0;
     int code = s->method == AC_RODAS5P ? variable(s, until) : fixed(s, until);
     if (code < 0) {
         return code;
@@ -196,9 +195,11 @@ static int moved(ac_solver *s, double until)
         int problem = stopped(s);
         code = problem != 0 ? problem : code;
     }
-    if (s->clock != NULL) {
-        s->latest = s->clock() - began;
+    if (s->clock != NULL) { /* once a step: what stands between two steps is part of the second */
+        double now = s->clock();
+        s->latest = now - s->read;
         s->longest = fmax(s->longest, s->latest);
+        s->read = now;
     }
     return code;
 }
@@ -229,6 +230,9 @@ int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long 
 {
     int event = 0;
     *filled = 0;
+    if (s->clock != NULL) {
+        s->read = s->clock();
+    }
     for (;;) {
         int code = written(s, grid, count, rows, filled);
         if (code != 0) {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from casadi import Function
-from scipy.sparse import csc_array
 
 from acausal.simulate.matrices import DENSE_UP_TO, Matrix, Vector
 
@@ -18,5 +17,9 @@ def residual_and_jacobian(function: Function, *args: Vector) -> tuple[Vector, Ma
     """The two outputs of an implicit block's Function; the Jacobian is sparse if it is large."""
     residual, jacobian = function.call([np.asarray(a) for a in args])
     dense = residual.shape[0] <= DENSE_UP_TO
-    matrix = np.asarray(jacobian.full(), dtype=float) if dense else csc_array(jacobian.sparse())
-    return np.asarray(residual.full(), dtype=float).ravel(), matrix
+    values = np.asarray(residual.full(), dtype=float).ravel()
+    if dense:
+        return values, np.asarray(jacobian.full(), dtype=float)
+    from scipy.sparse import csc_array  # takes a while to import
+
+    return values, csc_array(jacobian.sparse())

@@ -24,15 +24,11 @@ from acausal.errors import SimulationProblem, fail
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, some
-from acausal.simulate.solver import Arrival, Tolerances, Work
+from acausal.simulate.solver import BATCH, SLOW_BATCHES, Arrival, Tolerances, Work
 
 SPARSE_FROM = 50
 """From this number of states on, the linear solver is sparse (SuperLU) instead of dense."""
 
-BATCH = 20_000
-"""Steps that CVODE may take before its pace is judged."""
-SLOW_BATCHES = 4
-"""So many batches in a row at a pace at which `max_steps` do not cover the run: the step size collapsed."""
 _TOO_MUCH_WORK, _COLLAPSED = -1, -1000
 
 _CAUSES = {

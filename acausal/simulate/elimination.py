@@ -1,7 +1,7 @@
 """The pattern of W = 1/(h gamma) - J and the order of its columns, decided once for a run.
 
-The columns are ordered by minimum degree on the pattern of W + W' (SuperLU's, through SciPy), since W has a
-full diagonal that mostly serves as pivot.
+The columns are ordered by approximate minimum degree on the pattern of W + W' (AMD, through CasADi), since W
+has a full diagonal that mostly serves as pivot.
 """
 
 from __future__ import annotations
@@ -11,8 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from casadi import Sparsity
 from numpy.typing import NDArray
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
 
 _Ints = NDArray[np.int32]
 
@@ -33,12 +31,12 @@ class Elimination:
 
 
 def eliminate(pattern: Sparsity, size: int) -> Elimination:
-    """The analysis of a Jacobian's pattern. O(fill) by SuperLU."""
+    """The analysis of a Jacobian's pattern. O(fill)."""
     given_rows, given_columns = (np.asarray(v, dtype=np.int64) for v in pattern.get_triplet())
     numbers = np.unique(np.concatenate([given_columns * size + given_rows, np.arange(size) * (size + 1)]))
     rows, columns = numbers % max(size, 1), numbers // max(size, 1)
     starts = np.searchsorted(columns, np.arange(size + 1))
-    order, fill = _ordered(rows, starts, size)
+    order, fill = _ordered(pattern, size)
     return Elimination(
         starts.astype(np.int32),
         rows.astype(np.int32),
@@ -49,12 +47,13 @@ def eliminate(pattern: Sparsity, size: int) -> Elimination:
     )
 
 
-def _ordered(rows: NDArray[np.int64], starts: NDArray[np.int64], size: int) -> tuple[_Ints, int]:
-    """The order of the columns, and how many entries L and U have if the diagonal is the pivot."""
+def _ordered(pattern: Sparsity, size: int) -> tuple[_Ints, int]:
+    """The order of the columns, and how many entries L and U have if the diagonal is the pivot.
+
+    Approximate minimum degree on the pattern made symmetric (Amestoy, Davis and Duff, ACM TOMS 30, 2004).
+    """
     if size == 0:
         return np.zeros(0, dtype=np.int32), 0
-    values = np.ones(len(rows))
-    matrix = csc_matrix((values, rows, starts), shape=(size, size))
-    matrix.setdiag(2.0 * size)
-    factors = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    return np.argsort(factors.perm_c).astype(np.int32), int(factors.L.nnz + factors.U.nnz)
+    symmetric = pattern.unite(pattern.T).unite(Sparsity.diag(size))
+    above, order = symmetric.ldl(True)
+    return np.array(order, dtype=np.int32), int(2 * (above.nnz() + size))

@@ -14,10 +14,10 @@ from sksundae.ida import IDA
 
 from acausal.codegen.implicit import implicit_form
 from acausal.simulate.buffered import Buffered
-from acausal.simulate.cvode import BATCH, SPARSE_FROM, Cvode, Stepper
+from acausal.simulate.cvode import SPARSE_FROM, Cvode, Stepper
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
-from acausal.simulate.solver import Tolerances
+from acausal.simulate.solver import BATCH, Tolerances
 
 
 class _Roots:

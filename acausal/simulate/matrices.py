@@ -1,14 +1,18 @@
-"""Solving scaled linear systems, dense or sparse, and telling what is singular."""
+"""Solving scaled linear systems, dense or sparse, and telling what is singular.
+
+SciPy takes as long to import as a small model to run, and most runs have no sparse blocks: it comes late.
+"""
 
 from __future__ import annotations
 
 import warnings
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csc_array, diags_array
-from scipy.sparse.linalg import lsmr, splu
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_array
 
 Vector: TypeAlias = NDArray[np.float64]
 Matrix: TypeAlias = "Vector | csc_array"
@@ -27,6 +31,8 @@ def scaled(matrix: Matrix, rows: Vector, columns: Vector) -> Matrix:
     """Divided by `rows`, multiplied by `columns`."""
     if isinstance(matrix, np.ndarray):
         return np.asarray(matrix * columns / rows[:, None], dtype=np.float64)
+    from scipy.sparse import csc_array, diags_array
+
     return csc_array(diags_array(1 / rows) @ matrix @ diags_array(columns))
 
 
@@ -43,9 +49,7 @@ def solve_regular(matrix: Matrix, right: Vector) -> Vector | None:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found = (
-                np.linalg.solve(matrix, both) if isinstance(matrix, np.ndarray) else splu(matrix).solve(both)
-            )
+            found = _solved(matrix, both)
     except (np.linalg.LinAlgError, RuntimeError):
         return None
     growth = np.abs(found[:, 1]).sum()
@@ -54,10 +58,20 @@ def solve_regular(matrix: Matrix, right: Vector) -> Vector | None:
     return np.asarray(found[:, 0], dtype=np.float64)
 
 
+def _solved(matrix: Matrix, right: Vector) -> Vector:
+    if isinstance(matrix, np.ndarray):
+        return np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
+    from scipy.sparse.linalg import splu
+
+    return splu(matrix).solve(right)
+
+
 def minimum_norm(matrix: Matrix, right: Vector) -> Vector:
     """The shortest of the vectors that come closest to solving the system."""
     dense = _dense(matrix)
     if dense is None:
+        from scipy.sparse.linalg import lsmr
+
         return np.asarray(lsmr(matrix, right, atol=1e-14, btol=1e-14, maxiter=20_000)[0], dtype=np.float64)
     return np.asarray(np.linalg.lstsq(dense, right, rcond=1e-10)[0], dtype=np.float64)
 

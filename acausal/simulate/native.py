@@ -19,14 +19,13 @@ from acausal.errors import AcausalError, UnsupportedProblem
 from acausal.runtime import binding
 from acausal.runtime.binding import FILL, METHODS, RESCUE, ModelStructure, RunTime, SolverStructure
 from acausal.simulate.buffered import Robust
-from acausal.simulate.cvode import BATCH, SLOW_BATCHES
 from acausal.simulate.elimination import eliminate
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import operators
 from acausal.simulate.failures import COLLAPSED, failure
 from acausal.simulate.machine import WORTH, bound, machine_of, pointer
 from acausal.simulate.matrices import Vector
-from acausal.simulate.solver import Arrival, Influence, Sweep, Tolerances, Work
+from acausal.simulate.solver import BATCH, SLOW_BATCHES, Arrival, Influence, Sweep, Tolerances, Work
 
 _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""

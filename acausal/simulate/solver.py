@@ -12,6 +12,11 @@ from numpy.typing import NDArray
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 
+BATCH = 20_000
+"""Steps that a solver may take before its pace is judged."""
+SLOW_BATCHES = 4
+"""So many batches in a row at a pace at which `max_steps` do not cover the run: the step size collapsed."""
+
 
 @dataclass(frozen=True)
 class Arrival:

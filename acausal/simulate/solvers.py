@@ -5,14 +5,10 @@ from __future__ import annotations
 from acausal.errors import UsageProblem, fail
 from acausal.runtime.binding import METHODS
 from acausal.runtime.build import compiler
-from acausal.simulate.cvode import Cvode
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.fallback import FixedStep
-from acausal.simulate.ida import Ida
 from acausal.simulate.names import did_you_mean
 from acausal.simulate.native import NativeSolver
 from acausal.simulate.options import Options
-from acausal.simulate.scikits import ScikitsOdes
 from acausal.simulate.solver import Solver, Tolerances
 
 AUTO = "auto"
@@ -54,16 +50,26 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
         step=options.step,
         locate=options.locate,
     )
-    match options.solver:
-        case "cvode":
-            return Cvode(evaluator, limits)
-        case "cvode-adams":
-            return Cvode(evaluator, limits, "Adams")
-        case "ida":
-            return Ida(evaluator, limits)
-        case "scikits-odes":
-            return ScikitsOdes(evaluator, limits)
-        case name if name in FIXED and compiler() is None:
-            return FixedStep(evaluator, limits, name)
-        case name:
-            return NativeSolver(evaluator, limits, name, options.compiled)
+    name = options.solver
+    if name in METHODS and (name not in FIXED or compiler() is not None):
+        return NativeSolver(evaluator, limits, name, options.compiled)
+    return _other(evaluator, limits, name)
+
+
+def _other(evaluator: Evaluator, limits: Tolerances, name: str) -> Solver:
+    """The solvers that need SciPy or SUNDIALS, which take as long to import as a small model to run."""
+    if name in FIXED:
+        from acausal.simulate.fallback import FixedStep
+
+        return FixedStep(evaluator, limits, name)
+    if name == "ida":
+        from acausal.simulate.ida import Ida
+
+        return Ida(evaluator, limits)
+    if name == "scikits-odes":
+        from acausal.simulate.scikits import ScikitsOdes
+
+        return ScikitsOdes(evaluator, limits)
+    from acausal.simulate.cvode import Cvode
+
+    return Cvode(evaluator, limits, "Adams" if name == "cvode-adams" else "BDF")
