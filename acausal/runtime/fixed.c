@@ -141,8 +141,8 @@ static int stepped(ac_solver *s, double h)
     }
 }
 
-/* x1 at t0 + h from x0 at t0 and f0 there. Whether all is finite shows at the end, where x1 is: only if it is not
- * the step is made again, looking at every slope, for the point at which the trouble begins. */
+/* x1 at t0 + h from x0 at t0 and f0 there. Whether all is finite shows at the end, where x1 is: only if it is not,
+ * f0 is computed and the step made again, looking at every slope, for the point at which the trouble begins. */
 int ac_explicit(ac_solver *s, double h)
 {
     ac_model *m = s->model;
@@ -152,7 +152,11 @@ int ac_explicit(ac_solver *s, double h)
     m->unchecked = 1;
     int code = stepped(s, h);
     m->unchecked = 0;
-    return code == 0 && !ac_finite(s->x1, m->states) ? stepped(s, h) : code;
+    if (code != 0 || ac_finite(s->x1, m->states)) {
+        return code;
+    }
+    code = ac_slope(m, s->t0, s->x0, s->f0);
+    return code == 0 ? stepped(s, h) : code;
 }
 
 /* Dense output by a cubic through both ends and slopes, made when it is first asked for. */
@@ -169,7 +173,9 @@ void ac_hermite(ac_solver *s)
 
 static int finished(ac_solver *s)
 {
+    s->model->unchecked = 1; /* the next step looks at what comes of it */
     int code = ac_slope(s->model, s->t1, s->x1, s->f1);
+    s->model->unchecked = 0;
     if (code != 0) {
         return code;
     }
