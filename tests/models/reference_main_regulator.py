@@ -17,7 +17,7 @@ pilot chamber pressure [Pa] and, with the flow source only, line pressure [Pa].
 
 Fluid (all pressures absolute)::
 
-    specific volume over its reference  w = (1 - a) exp(-(p - p0) / K_l) + a exp(-(p - p0) / p_d) p0 / p_g
+    specific volume over its reference  w = (1 - a) exp(-(p - p0) / K_l) + a exp(-(p_g - p0) / p_d) p0 / p_g
     gas pressure, positive for every p  p_g = (p + sqrt(p^2 + p_m^2)) / 2
     density, bulk modulus               rho = rho_0 / w,  K = -w / w'
 
@@ -136,8 +136,9 @@ def specific_volume(pressure: float, par: Parameters) -> tuple[float, float]:
     air = par["air_fraction"]
     root_ = np.hypot(pressure, par["p_gas_min"])
     liquid = (1.0 - air) * np.exp(-over / par["K_liquid"])
-    gas = air * np.exp(-over / par["p_dissolve"]) * par["p_ref"] / (0.5 * (pressure + root_))
-    slope = -liquid / par["K_liquid"] - gas * (1.0 / par["p_dissolve"] + 1.0 / root_)
+    p_gas = 0.5 * (pressure + root_)
+    gas = air * np.exp(-(p_gas - par["p_ref"]) / par["p_dissolve"]) * par["p_ref"] / p_gas
+    slope = -liquid / par["K_liquid"] - gas * (p_gas / par["p_dissolve"] + 1.0) / root_
     return float(liquid + gas), float(slope)
 
 
@@ -267,7 +268,7 @@ def solve(
             t_eval=np.linspace(0.0, stop_time, points),
             args=(par, supply),
             rtol=rtol,
-            atol=1e-7 * _SCALE[: len(state_names(supply))],
+            atol=2e-8 * _SCALE[: len(state_names(supply))],
             max_step=0.01,
         ),
     )

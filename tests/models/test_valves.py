@@ -173,7 +173,7 @@ def test_switch_valves_switch_at_their_threshold(name: str, level: int) -> None:
 def test_lockup_control_follows_its_command() -> None:
     finest = at(run("LockupControlL1"), "p_out", PLATEAUS) - P_0
     assert np.all(finest[:2] < 100)
-    assert np.allclose(np.diff(finest[2:]), 0.9e5, rtol=0.02)  # 1.5 bar for each bar
+    assert np.allclose(np.diff(finest[2:]), 0.9e5, rtol=0.03)  # 1.5 bar for each bar, less the spring
     for level in (2, 3, 4, 5):
         assert np.allclose(
             at(run(f"LockupControlL{level}"), "p_out", PLATEAUS) - P_0, finest, rtol=0.01, atol=3e3

@@ -10,14 +10,14 @@ protected
 algorithm
   p_gas := (p + sqrt(p^2 + fluid.p_gasMin^2))/2;
   liquid := (1 - fluid.airFraction)*exp(-(p - fluid.p_ref)/fluid.K_liquid);
-  gas := fluid.airFraction*exp(-(p - fluid.p_ref)/fluid.p_dissolve)*fluid.p_ref/p_gas;
+  gas := fluid.airFraction*exp(-(p_gas - fluid.p_ref)/fluid.p_dissolve)*fluid.p_ref/p_gas;
   rho := fluid.rho_ref/(liquid + gas);
   annotation(
     Inline = true,
     smoothOrder = 10,
     Documentation(info = "<html>
 <p>rho = rho_ref / w(p) with the volume of a fixed mass of oil and air over its volume at p_ref</p>
-<p>w(p) = (1 - a) exp(-(p - p_ref) / K_liquid) + a exp(-(p - p_ref) / p_dissolve) p_ref / p_gas.</p>
+<p>w(p) = (1 - a) exp(-(p - p_ref) / K_liquid) + a exp(-(p_gas - p_ref) / p_dissolve) p_ref / p_gas.</p>
 <p>The first term is liquid of constant bulk modulus, the second ideal gas at constant temperature of which a part
 goes into solution as the pressure rises (Henry's law gives the slope at p_ref, -1/p_dissolve; the exponential
 continues it without a kink at complete solution). The mass of the air stays in the oil when it dissolves. p_gas =

@@ -10,7 +10,7 @@ partial model ReliefRegulatorBench "Lubrication or converter regulator alone: su
     q_end = 20/60000,
     startTime = 0.5,
     duration = 2) constrainedby Hydraulics.Interfaces.PartialSource "Supply, a flow or a pressure";
-  Hydraulics.Components.Orifice feed(d = 4e-3, port_a(p(start = 3e5))) "Feed; chosen: as wide as the main regulator's edge";
+  Hydraulics.Components.LaminarOrifice feed(d = 6e-3, l = 2) "Feed; chosen: 4 bar at 15 l/min";
   Hydraulics.Components.Orifice load(d = d_load) "Consumers";
   Hydraulics.Sources.Tank sink "Behind the consumers";
   Hydraulics.Sources.PressureSource drain(p_start = p_drain) "Behind the valve";

@@ -23,15 +23,15 @@ model ConverterStage "Spool of the converter regulator with its feedback and lin
     final fluid = fluid,
     final p_start = p_start,
     A = 300e-6,
-    V_0 = 5e-6,
-    d_orifice = 2.5e-3) "Opens the valve";
+    V_0 = 15e-6,
+    d_orifice = 4e-3) "Opens the valve";
   Feedback feedback2(
     final fluid = fluid,
     final p_start = p_start,
     pushes = Hydraulics.Types.Direction.Negative,
     A = 100e-6,
-    V_0 = 3e-6,
-    d_orifice = 1.5e-3) "Closes the valve";
+    V_0 = 6e-6,
+    d_orifice = 2e-3) "Closes the valve";
 equation
   connect(inlet, valve.inlet);
   connect(valve.drain, drain);

@@ -3,7 +3,8 @@ model CutValve "Cut valve: as a switch valve, and drains four more lines when sw
   extends SwitchValve;
   parameter Mechanics.Units.Position s_cut = 2.2e-3 "Position at which the lines are drained; chosen: as the supply edge";
   parameter Hydraulics.Units.Diameter d_cut = 10e-3 "Spool at these edges; chosen: as the others";
-  parameter Hydraulics.Units.Fraction coverage_cut = 0.2 "Part of the circumference that is port; chosen: 6 mm";
+  parameter Hydraulics.Units.Fraction coverage_cut = 0.06
+    "Part of the circumference that is port; chosen: 2 mm, flow forces below the latch's";
   constant Integer n = 4 "Lines: three clutches and the pilot of the line pressure";
   Hydraulics.Interfaces.Port line[n] "Lines that are drained";
   Hydraulics.Units.MassFlowRate m_lines "Mass flow in from the lines";

@@ -1,8 +1,8 @@
 within TenSpeed.Valves;
 model LockupMap "Lock-up control valve at level 5: outlet pressure from command and supply"
   extends Interfaces.PartialLockupStage;
-  parameter Mechanics.Units.Ratio gain = 1.4866 "Outlet pressure per command pressure; calibrated on LockupControlL1";
-  parameter Hydraulics.Units.PressureDifference p_offset = 2.149e5 "Force of the spring over A_1; calibrated likewise";
+  parameter Mechanics.Units.Ratio gain = 1.4697 "Outlet pressure per command pressure; calibrated on LockupControlL1";
+  parameter Hydraulics.Units.PressureDifference p_offset = 2.133e5 "Force of the spring over A_1; calibrated likewise";
   parameter Mechanics.Units.Ratio w_round = 0.02 "Rounding of the weight at 0 and 1; chosen: differentiable";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
   Hydraulics.Valves.ThreeWayMap map(final fluid = fluid) "Outlet pressure";

@@ -17,21 +17,21 @@ model LockupStage "Spool of the lock-up control valve with feedback and command 
     s_supply = 0.3e-3,
     s_drain = 0.3e-3,
     d_edge = 12e-3,
-    coverage = 0.25,
-    V_outlet = 150e-6) "Spool, edges and outlet";
+    coverage = 0.1,
+    V_outlet = 200e-6) "Spool, edges and outlet";
   Feedback feedback1(
     final fluid = fluid,
     final p_start = p_start,
     pushes = Hydraulics.Types.Direction.Negative,
     A = 100e-6,
-    V_0 = 3e-6,
-    d_orifice = 2e-3) "Outlet pressure closes";
+    V_0 = 5e-6,
+    d_orifice = 2.5e-3) "Outlet pressure closes";
   Feedback feedback2(
     final fluid = fluid,
     final p_start = p_start,
     A = 150e-6,
-    V_0 = 4e-6,
-    d_orifice = 2e-3) "Command opens";
+    V_0 = 8e-6,
+    d_orifice = 3e-3) "Command opens";
 equation
   connect(supply, valve.supply);
   connect(drain, valve.drain);

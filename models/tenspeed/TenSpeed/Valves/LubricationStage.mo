@@ -23,8 +23,8 @@ model LubricationStage "Spool of the lubrication regulator with its feedback and
     final fluid = fluid,
     final p_start = p_start,
     A = 400e-6,
-    V_0 = 5e-6,
-    d_orifice = 2.5e-3) "Opens the valve";
+    V_0 = 20e-6,
+    d_orifice = 4e-3) "Opens the valve";
 equation
   connect(inlet, valve.inlet);
   connect(valve.drain, drain);

@@ -34,10 +34,10 @@ model MainStage "Spool of the main regulator with its chambers and the line"
     jetAngle = 1.35,
     A_feedback = 300e-6,
     A_pilot = 450e-6,
-    V_feedback = 5e-6,
-    V_pilot = 7e-6,
-    d_feedback = 2.5e-3,
-    d_pilot = 2.5e-3) "Spool, edges and chambers";
+    V_feedback = 20e-6,
+    V_pilot = 30e-6,
+    d_feedback = 4e-3,
+    d_pilot = 4.5e-3) "Spool, edges and chambers";
 equation
   connect(line, volume.port[1]);
   connect(volume.port[2], valve.line);

@@ -1,7 +1,7 @@
 within TenSpeed.Valves;
 model TwoWayClutchHysteresis "Two-way-clutch valve at level 3: the detents as hysteresis, the spool follows in first order"
   extends TwoWayClutchSwitch;
-  parameter Mechanics.Units.Time T = 3e-3 "Time constant of the way; calibrated on TwoWayClutchValveL1";
+  parameter Mechanics.Units.Time T = 2.8e-3 "Time constant of the way; calibrated on TwoWayClutchValveL1";
   Mechanics.Units.Position way(start = 0) "Position";
 equation
   T*der(way) = (if toDrive then stroke else 0) - way;
