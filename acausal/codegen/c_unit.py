@@ -24,12 +24,26 @@ _HEAD = re.compile(
 _TABLE = re.compile(r"\bcasadi_s\d+\b")
 _MENTIONS = 2
 """The macro and the definition of a table: used nowhere, since the loader's functions are gone."""
+_PLAIN = (
+    (re.compile(r"\( ?! ?(\w+) ?\)"), r"(\1==0)"),
+    (re.compile(r"\( ?(\w+) ?\?"), r"(\1!=0?"),
+    (re.compile(r"\( ?(\w+) ?(&&|\|\|) ?(\w+) ?\)"), r"(\1!=0\2\3!=0)"),
+    (re.compile(r"= casadi_low\("), "= (casadi_real) casadi_low("),
+    (re.compile(r"\*\(ng-1\)/"), "*(casadi_real) (ng-1)/"),
+)
+"""Numbers as conditions are compared with zero, which means the same, also for what is not a number; whole
+numbers become others in so many words."""
+_PREFIX = re.compile(r"(#define CASADI_PREFIX\(ID\) )model_\w+ ## ID")
 _UNUSED = " (void)arg; (void)res; (void)iw; (void)w; (void)mem;"
 
 
-def unit_text(functions: Mapping[str, Function]) -> str:
-    """The functions as static ones under their own names, `int f(arg, res, iw, w, mem)`."""
-    lines = list(_lines(c_text(functions).splitlines()))
+def unit_text(functions: Mapping[str, Function], prefix: str) -> str:
+    """The functions as static ones under their own names, `int f(arg, res, iw, w, mem)`.
+
+    What CasADi adds begins with `prefix`, so that several units can be linked together.
+    """
+    text = _PREFIX.sub(rf"\g<1>{prefix}_ ## ID", c_text(functions))
+    lines = list(_lines(text.splitlines()))
     used = Counter(name for line in lines for name in _TABLE.findall(line))
     unused = frozenset(name for name, count in used.items() if count <= _MENTIONS)
     return "\n".join(_without_unused(lines, unused)) + "\n"
@@ -61,4 +75,6 @@ def _lines(lines: list[str]) -> Iterator[str]:
                 continue
             yield f"static {found[1]}{_UNUSED}"
         else:
+            for pattern, plain in _PLAIN:
+                line = pattern.sub(plain, line)  # noqa: PLW2901
             yield _HEAD.sub(lambda m: m[1] + _UNUSED, line)

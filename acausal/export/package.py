@@ -72,7 +72,7 @@ def makefile(name: str, found: dict[str, str]) -> str:
 def model(plan: Plan, name: str) -> str:
     """The model's functions, its tables, and what ties them to memory."""
     try:
-        functions = unit_text(plan.everything)
+        functions = unit_text(plan.everything, f"{name}_casadi")
     except RuntimeError as problem:
         raise no_c(problem, plan.code) from None
     return (

@@ -148,6 +148,8 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side, cons
 /* Integrates to `until`; writes outputs at the `count` times of `grid` (increasing, at most `until`) to
  * `rows`, one after the other, and their number to `filled`. */
 int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled);
+/* The rows that `ac_sweep` would have written had it been given these grid points: up to where it is. */
+int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *filled);
 /* The states at `t` inside the last step. */
 void ac_interpolate(const ac_solver *s, double t, double *x);
 /* The sizes of ac_function, ac_model, ac_lu and ac_solver. */

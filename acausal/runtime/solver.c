@@ -205,7 +205,7 @@ static int moved(ac_solver *s, double until)
 }
 
 /* Rows at the grid points up to `t`. */
-static int written(ac_solver *s, const double *grid, int count, double *rows, int *filled)
+int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *filled)
 {
     while (*filled < count && grid[*filled] <= s->t) {
         double *row = rows + (size_t)*filled * (size_t)s->model->outputs;
@@ -234,7 +234,7 @@ int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long 
         s->read = s->clock();
     }
     for (;;) {
-        int code = written(s, grid, count, rows, filled);
+        int code = ac_written(s, grid, count, rows, filled);
         if (code != 0) {
             return code;
         }

@@ -165,7 +165,7 @@ int ac_variable_step(ac_solver *s, double until)
         double left = until - s->t0;
         double h = fmin(s->h_next, left);
         if (s->model->crossings > 0 && s->sample > 0.0) {
-            h = fmin(h, AC_MAX_LOOKS * s->sample);
+            h = fmin(h, (double)AC_MAX_LOOKS * s->sample);
         }
         double shortest = fmin(s->min_step, left);
         int ends = h >= left * (1.0 - 1e-12);

@@ -349,32 +349,54 @@ static int taken(ac_run *r, double time, int code)
     return 0;
 }
 
-/* Without states and located events there is nothing to integrate: to `limit`, with a row where it is an output time. */
-static int stepped(ac_run *r, double target, double limit, int *rows)
+/* Without states and located events there is nothing to integrate: to `limit`, with a row where it is an output
+ * time. */
+static int stepped(ac_run *r, double target, double limit, ac_long *i)
 {
     r->time = limit;
     if (ac_is_reached(r->time, r->next)) {
         return happened(r, NULL);
     }
-    *rows = limit >= target;
-    return *rows && !(r->recorded && r->recorded_time == target) ? ac_record(r, target, r->x) : 0;
+    *i += limit >= target;
+    return limit >= target && !(r->recorded && r->recorded_time == target) ? ac_record(r, target, r->x) : 0;
 }
 
-/* Towards the output time `target`: to the next event, or as far as the integrator goes at once. */
-static int swept(ac_run *r, double target, int *rows)
+/* The output times that lie in the last step, several of them where steps are long. */
+static int caught_up(ac_run *r, ac_long *i, ac_long count)
+{
+    int code = 0;
+    while (code == 0 && *i <= count) {
+        double target = output_time(&r->settings, *i, count);
+        int rows = 0;
+        int found = ac_written(&r->solver, &target, 1, r->row, &rows);
+        if (rows == 0) {
+            break;
+        }
+        code = taken(r, target, found);
+        (*i)++;
+    }
+    return code;
+}
+
+/* To the next event, or as far as the integrator goes at once; `i` counts the output times. */
+static int swept(ac_run *r, ac_long *i, ac_long count)
 {
     const ac_plan *plan = r->plan;
     ac_solver *s = &r->solver;
+    double target = output_time(&r->settings, *i, count);
     double until = fmin(r->settings.stop_time, r->next);
     double end = fmin(until, ac_kink(r, r->time));
+    int rows = 0;
     if (plan->states == 0 && plan->located == 0) {
-        return stepped(r, target, fmin(target, end), rows);
+        return stepped(r, target, fmin(target, end), i);
     }
-    int code = ac_sweep(s, &target, target <= end ? 1 : 0, end, BUDGET, r->row, rows);
+    int code = ac_sweep(s, &target, target <= end ? 1 : 0, end, BUDGET, r->row, &rows);
     if (code < 0 && code != AC_ROW_NOT_FINITE) {
         return failed(r, code);
     }
-    int problem = *rows > 0 ? taken(r, target, code) : 0;
+    int problem = rows > 0 ? taken(r, target, code) : 0;
+    *i += rows;
+    problem = problem == 0 ? caught_up(r, i, count) : problem;
     if (problem != 0 || (code != AC_REACHED && code != AC_EVENT)) {
         return problem;
     }
@@ -397,13 +419,7 @@ int ac_go(ac_run *r)
     int code = 0;
     ac_long i = 1;
     while (code == 0 && i <= count && !r->ended) {
-        int rows = 0;
-        if (ac_is_reached(r->time, r->next)) {
-            code = happened(r, NULL);
-            continue;
-        }
-        code = swept(r, output_time(s, i, count), &rows);
-        i += rows;
+        code = ac_is_reached(r->time, r->next) ? happened(r, NULL) : swept(r, &i, count);
     }
     code = code == 0 ? terminated(r) : code;
     r->longest = fmax(r->longest, r->solver.longest);
