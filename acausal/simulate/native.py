@@ -300,7 +300,10 @@ class NativeSolver:
         end = min(until, self._evaluator.inputs.next_kink(self._time))
         wanted = np.ascontiguousarray(targets[targets <= end])
         width = self._model.outputs
-        wanted = wanted[: max(1, _CHUNK // max(1, width))]
+        most = max(1, _CHUNK // max(1, width))
+        if len(wanted) > most:  # the rest comes with the next call: nothing beyond may happen before
+            wanted = wanted[:most]
+            end = float(wanted[-1])
         rows = np.zeros((len(wanted), width))
         filled = ctypes.c_int(0)
         code = self._call(wanted, end, rows, filled)

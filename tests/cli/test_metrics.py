@@ -40,6 +40,14 @@ def test_json(call: Call, sweep: Path) -> None:
     assert means["torque_phase"] == first["torque_phase"]  # the other shift has none
 
 
+def test_a_shift_ends_where_the_drive_changes(call: Call, sweep: Path) -> None:
+    lines = sweep.read_text().splitlines()
+    drive = ["inputTorque"] + ["150" if float(row.split(",")[0]) < 4.2 else "0" for row in lines[1:]]
+    sweep.write_text("\n".join(f"{row},{value}" for row, value in zip(lines, drive, strict=True)) + "\n")
+    shifts = cast("list[dict[str, float]]", call("metrics", str(sweep), "--json").data["shifts"])
+    assert [one["end"] for one in shifts] == [pytest.approx(3), pytest.approx(4.2)]
+
+
 def test_table_and_drawing(call: Call, sweep: Path) -> None:
     done = call("metrics", str(sweep), "--plot", "shifts.svg")
     assert "1 to 2" in done.out

@@ -112,6 +112,21 @@ def test_nothing_shifts() -> None:
     assert (found.torque_hole, found.settling_time) == (0, 0)
 
 
+def test_an_open_brake_that_comes_to_rest_is_not_the_oncoming_element() -> None:
+    slips = SLIPS | {"B3": line((0, 400), (0.5, 400), (0.9, 0), (2, 0))}
+    torques = TORQUES | {"B3": line((0, 0), (2, 0))}
+    assert shift(line(*HOLE), slips, torques, 0.1, 2.0).oncoming == "C1"
+
+
+def test_the_torque_phase_ends_when_the_offgoing_element_lets_go_for_good() -> None:
+    tied = TORQUES | {"B2": line((0, 150), (0.2, 150), (0.3, -60), (0.45, 0), (2, 0))}
+    plain = shift(line(*HOLE), SLIPS, TORQUES, 0.1, 2.0).torque_phase
+    longer = shift(line(*HOLE), SLIPS, tied, 0.1, 2.0).torque_phase
+    assert plain is not None
+    # 0.45 s instead of 0.4 s, each less 2 % of 150 on a slope
+    assert longer == pytest.approx(plain + 0.05 + 0.004 - 0.0075, abs=2e-3)
+
+
 def test_an_oscillating_torque_hides_nothing() -> None:
     calm = line(*HOLE)
     swinging = Trace(TIME, calm.values + 12 * np.sin(2 * np.pi * 40 * TIME))

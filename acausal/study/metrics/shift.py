@@ -79,7 +79,7 @@ def shift(
     settled = settled_since(window, final, BAND * size) if size else start
     if settled is not None and settled > end - _END * (end - start):
         settled = None  # inside the band by chance, at the end of a swing
-    oncoming, offgoing = _oncoming(slips, start, end), _offgoing(torques, slips, start, end)
+    oncoming, offgoing = _oncoming(torques, slips, start, end), _offgoing(torques, slips, start, end)
     return Shift(
         start,
         end,
@@ -102,8 +102,8 @@ def _torque_phase(torque: Trace, offgoing: Trace, initial: float, size: float) -
     calm = smoothed(torque, _SMOOTHING)
     level = initial - BAND * size
     about = first_crossing(calm, level, rising=False)
-    carried = offgoing.magnitude
-    over = first_crossing(carried, BAND * float(carried.values[0]), rising=False)
+    # For good: where both elements hold for a while, the torque may pass zero and turn round
+    over = settled_since(offgoing, 0.0, BAND * float(offgoing.magnitude.values.max()))
     if about is None or over is None:
         return None
     sharp = first_crossing(torque, level, rising=False, after=about - _SMOOTHING / 2)
@@ -121,13 +121,19 @@ def _inertia_phase(slip: Trace) -> float | None:
     return None if begun is None else over - begun
 
 
-def _oncoming(slips: Mapping[str, Trace], start: float, end: float) -> str | None:
-    """The element that slips at first and not at the end; of several the one that slipped most."""
-    found: dict[str, float] = {}
+def _oncoming(
+    torques: Mapping[str, Trace], slips: Mapping[str, Trace], start: float, end: float
+) -> str | None:
+    """The element that slips at first and not at the end; of several the one that carries most on the way.
+
+    What only comes to rest with the others, as an open brake may, carries nothing.
+    """
+    found: dict[str, tuple[float, float]] = {}
     for name, slip in slips.items():
         before, after = abs(slip.at(start)), abs(slip.mean(end - _END * (end - start), end))
         if before > _STANDSTILL and after < BAND * before:
-            found[name] = before
+            carried = torques[name].between(start, end).magnitude.values if name in torques else [0.0]
+            found[name] = (float(max(carried)), before)
     return max(found, key=lambda name: found[name], default=None)
 
 

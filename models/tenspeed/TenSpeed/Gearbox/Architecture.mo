@@ -38,13 +38,14 @@ model Architecture "Eight bodies, four gearsets, three clutches, three brakes, t
   Mechanics.Rotational.Components.TwoWayClutch F1 "Body 4 and case";
   Mechanics.Rotational.Components.Fixed case "Case";
   // Cylinders; outer radius of the cancellation chambers chosen: open clutches stay open up to 700 rad/s
-  Hydraulics.Components.ClutchCylinder cylinderC1(final fluid = fluid, A = 70e-4, rotating = true, r_oc = 0.079) "Of C1";
-  Hydraulics.Components.ClutchCylinder cylinderC2(final fluid = fluid, A = 60e-4, rotating = true, r_oc = 0.079) "Of C2";
-  Hydraulics.Components.ClutchCylinder cylinderC3(final fluid = fluid, A = 70e-4, rotating = true, r_oc = 0.079) "Of C3";
-  Hydraulics.Components.ClutchCylinder cylinderB1(final fluid = fluid, A = 60e-4) "Of B1";
-  Hydraulics.Components.ClutchCylinder cylinderB2(final fluid = fluid, A = 60e-4) "Of B2";
-  Hydraulics.Components.ClutchCylinder cylinderB3(final fluid = fluid, A = 80e-4) "Of B3";
-  Hydraulics.Components.ClutchCylinder cylinderLockup(final fluid = fluid, A = 200e-4) "Of the lock-up clutch";
+  parameter Hydraulics.Units.Diameter d_feed = 5e-3 "Feed orifices; chosen: a cylinder fills within 0.1 s";
+  Hydraulics.Components.ClutchCylinder cylinderC1(final fluid = fluid, d_feed = d_feed, A = 70e-4, rotating = true, r_oc = 0.079) "Of C1";
+  Hydraulics.Components.ClutchCylinder cylinderC2(final fluid = fluid, d_feed = d_feed, A = 60e-4, rotating = true, r_oc = 0.079) "Of C2";
+  Hydraulics.Components.ClutchCylinder cylinderC3(final fluid = fluid, d_feed = d_feed, A = 70e-4, rotating = true, r_oc = 0.079) "Of C3";
+  Hydraulics.Components.ClutchCylinder cylinderB1(final fluid = fluid, d_feed = d_feed, A = 60e-4) "Of B1";
+  Hydraulics.Components.ClutchCylinder cylinderB2(final fluid = fluid, d_feed = d_feed, A = 60e-4) "Of B2";
+  Hydraulics.Components.ClutchCylinder cylinderB3(final fluid = fluid, d_feed = d_feed, A = 80e-4) "Of B3";
+  Hydraulics.Components.ClutchCylinder cylinderLockup(final fluid = fluid, d_feed = d_feed, A = 200e-4) "Of the lock-up clutch";
 equation
   // Shafts
   connect(flange_in, body[1].flange_a);

@@ -32,6 +32,7 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
   Hydraulics.Sources.PressureSource lockup(p_start = 1.1e5) "Lock-up clutch stays open";
   output Mechanics.Units.Ratio ratio "Speed of body 1 over speed of body 8 where it turns faster than 1 rad/s, else 0";
   output Mechanics.Units.Torque outputTorque "Torque of the gearbox on the output shaft";
+  output Mechanics.Units.Torque inputTorque = engine.tau "Torque of the drive";
   output Mechanics.Units.Power inputPower "Power of the drive";
   output Mechanics.Units.Power outputPower "Power of the gearbox on the output shaft";
   output Integer gear "1 to 10, -1 in reverse, 0 in park and neutral: as commanded";
