@@ -294,19 +294,33 @@ def export(
 @app.command(short_help="Read figures off a stored result.")
 def metrics(
     result: Annotated[Path, typer.Argument(metavar="RESULT", help="A CSV that `acausal simulate -o` wrote.")],
-    kind: Annotated[str, typer.Option(metavar="KIND", help="What to measure: shift.")] = "shift",
+    kind: Annotated[
+        str, typer.Option(metavar="KIND", help="What to measure: shift, converter, engagement.")
+    ] = "shift",
+    reference: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Another sweep that a converter's is compared with.")
+    ] = None,
+    stop: Annotated[
+        float | None, typer.Option(metavar="S", help="Where the piston has reached its stop, in m.")
+    ] = None,
+    start: Annotated[
+        float | None, typer.Option("--from", metavar="T", help="Start of an engagement's window, in s.")
+    ] = None,
+    end: Annotated[float | None, typer.Option("--to", metavar="T", help="Its end, in s.")] = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw what was measured as PNG, SVG or PDF.")
     ] = None,
     json: _Json = False,
 ) -> None:
-    """Measure every gear shift: torque hole, overshoot, settling time, torque and inertia phase.
+    """Measure gear shifts, a torque converter's sweep, or clutch pressures.
 
-    The result must hold `gear`, `outputTorque`, and `slip_X` and `torque_X` of every friction element X.
+    shift: needs `gear`, `outputTorque`, and `slip_X` and `torque_X` of every friction element X.
+    converter: needs `speedRatio`, `torqueRatio`, `capacityFactor`.
+    engagement: needs `current` and `pressure`, or `current_X` and `pressure_X`; takes `position` too.
     """
-    from acausal.cli.metrics import run_metrics
+    from acausal.cli.metrics import Options, run_metrics
 
-    run_metrics(result, kind, plot, as_json=json)
+    run_metrics(result, kind, Options(reference, stop, start, end, plot), as_json=json)
 
 
 @app.command(short_help="Linearise a model: eigenvalues, modes, step limits.")

@@ -69,3 +69,28 @@ def test_wrong_results(call: Call, sweep: Path) -> None:
         assert (done.status, done.problems[0]["code"]) == (2, code)
     assert call("metrics", "nothing.csv", "--json").problems[0]["code"] == "metrics.not-a-result"
     assert call("metrics", str(sweep), "--kind", "colour", "--json").problems[0]["code"] == "usage.kind"
+
+
+def test_other_kinds(call: Call, working_directory: Path) -> None:
+    ratio = np.linspace(0, 1, 101)
+    rows = np.column_stack([ratio, ratio, np.maximum(2 - 1.25 * ratio, 1), 150 + ratio])
+    names = "time,speedRatio,torqueRatio,capacityFactor"
+    np.savetxt(working_directory / "map.csv", rows, delimiter=",", header=names, comments="")
+    converter = ("metrics", "map.csv", "--kind", "converter")
+    found = call(*converter, "--reference", "map.csv", "--plot", "map.svg", "--json").data
+    assert (found["kind"], found["coupling_speed_ratio"]) == ("converter", pytest.approx(0.8))
+    assert found["capacity_rms_error"] == pytest.approx(0, abs=1e-12)
+    assert (working_directory / "map.svg").read_text().startswith("<?xml")
+    assert "coupling speed ratio" in call(*converter).out
+    assert call(*converter, "--stop", "1", "--json").problems[0]["code"] == "usage.metrics-option"
+    time = np.arange(0, 2, 1e-3)
+    rows = np.column_stack(
+        [time, np.interp(time, [0.1, 0.6], [0, 1]), np.interp(time, [0.3, 0.8], [1e5, 11e5])]
+    )
+    names = "time,current,pressure"
+    np.savetxt(working_directory / "fill.csv", rows, delimiter=",", header=names, comments="")
+    engagement = ("metrics", "fill.csv", "--kind", "engagement")
+    (one,) = cast("list[dict[str, object]]", call(*engagement, "--json").data["engagements"])
+    assert (one["delay"], one["corner_time"]) == (pytest.approx(0.2, abs=1e-6), None)
+    assert "overshoot" in call(*engagement).out
+    assert call(*engagement, "--from", "3", "--to", "4", "--json").problems[0]["code"] == "metrics.no-window"
