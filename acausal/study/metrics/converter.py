@@ -87,15 +87,17 @@ def converter_figures(sweep: Curves, reference: Curves | None = None) -> Convert
     ratio = np.append(sweep.ratio[sweep.ratio < end], end)
     efficiency = ratio * np.interp(ratio, sweep.ratio, sweep.torque_ratio)
     best = int(np.argmax(efficiency))
-    shared = None if reference is None else _shared(sweep, reference)
+    shared = sweep.ratio[:0] if reference is None else _shared(sweep, reference)
     return ConverterFigures(
         float(np.interp(0.0, sweep.ratio, sweep.torque_ratio)) if stalled else None,
         float(np.interp(0.0, sweep.ratio, sweep.capacity)) if stalled else None,
         coupling,
         float(efficiency[best]),
         float(ratio[best]),
-        _rms(shared, sweep, reference, "capacity"),
-        _rms(shared, sweep, reference, "torque_ratio"),
+        None if reference is None else _rms(shared, sweep, sweep.capacity, reference, reference.capacity),
+        None
+        if reference is None
+        else _rms(shared, sweep, sweep.torque_ratio, reference, reference.torque_ratio),
     )
 
 
@@ -106,9 +108,8 @@ def _shared(sweep: Curves, reference: Curves) -> Vector:
     return reference.ratio[(reference.ratio >= low) & (reference.ratio <= high)]
 
 
-def _rms(where: Vector | None, sweep: Curves, reference: Curves | None, name: str) -> float | None:
-    if where is None or reference is None or not len(where):
+def _rms(where: Vector, sweep: Curves, values: Vector, reference: Curves, wanted: Vector) -> float | None:
+    if not len(where):
         return None
-    found = np.interp(where, sweep.ratio, getattr(sweep, name))
-    wanted = np.interp(where, reference.ratio, getattr(reference, name))
-    return float(np.sqrt(np.mean((found / wanted - 1) ** 2)))
+    off = np.interp(where, sweep.ratio, values) / np.interp(where, reference.ratio, wanted) - 1
+    return float(np.sqrt(np.mean(off**2)))
