@@ -9,6 +9,8 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from acausal.errors import UsageProblem, fail
+
 Array = NDArray[np.float64]
 _DEGREE = pi / 180
 
@@ -37,10 +39,19 @@ class Geometry:
 
     @staticmethod
     def of(values: Mapping[str, float | Array]) -> Geometry:
-        """The nominal circuit with some entries replaced; raises KeyError for unknown names."""
+        """The nominal circuit with some entries replaced.
+
+        Raises UsageProblem `converter.unknown-parameter`.
+        """
         unknown = [name for name in values if name not in NAMES]
         if unknown:
-            raise KeyError(unknown[0])
+            raise fail(
+                UsageProblem,
+                "converter.unknown-parameter",
+                f"the circuit has no parameter `{unknown[0]}`",
+                names=unknown,
+                hint=f"it has {', '.join(NAMES)}",
+            )
         arrays = {name: np.atleast_1d(np.asarray(value, np.float64)) for name, value in values.items()}
         return replace(NOMINAL, **arrays)
 
