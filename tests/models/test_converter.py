@@ -159,3 +159,40 @@ def test_level_3_keeps_the_inertia_of_the_flow_alone() -> None:
         Q, w_p, w_t = float(Qs[i]), float(w_ps[i]), float(w_ts[i])
         pressure = reference.torques_and_pressure(d, Q, w_p, w_t, reference.stator(d, Q, w_p, w_t))[3]
         assert pressure * d["A"] / (d["rho"] * d["L_f"]) == pytest.approx(rate[i], abs=2e-3)
+
+
+@pytest.fixture(scope="module")
+def drives() -> dict[int, dict[str, Array]]:
+    """60 s of driving at every level, stored at the same instants."""
+    names = ("impellerSpeed", "turbineSpeed", "locked", "lockupTorque", "impellerTorque", "turbineTorque")
+    times = np.arange(0, 60.01, 0.5)
+    found: dict[int, dict[str, Array]] = {}
+    for level in STATES:
+        run = acausal.load(f"TenSpeed.Benches.TorqueConverterDriveL{level}").compile().simulate()
+        assert not run.warnings
+        found[level] = {name: np.interp(times, run.time, run.values(name)) for name in names}
+    return found
+
+
+@pytest.mark.parametrize("level", STATES)
+def test_drive(drives: dict[int, dict[str, Array]], level: int) -> None:
+    """Tip-in, lock, tip-out, engine braking locked and open, unlock, stop: what happens when."""
+    drive, times = drives[level], np.arange(0, 60.01, 0.5).tolist()
+    at = {name: dict(zip(times, values, strict=True)) for name, values in drive.items()}
+    instants = (10.0, 16.0, 23.0, 28.0, 42.0, 46.0, 55.0)
+    assert [round(float(at["locked"][t])) for t in instants] == [0, 1, 1, 0, 1, 1, 0]
+    assert float(at["turbineTorque"][3.0]) > 1.5 * float(at["impellerTorque"][3.0])  # multiplied at tip-in
+    assert at["impellerSpeed"][16.0] == pytest.approx(at["turbineSpeed"][16.0], abs=1e-3)
+    assert float(at["lockupTorque"][23.0]) < -25  # engine braking through the clutch
+    assert float(at["impellerTorque"][28.0]) < -25  # and through the circuit, the turbine running ahead
+    assert float(at["turbineSpeed"][28.0]) > float(at["impellerSpeed"][28.0]) + 5
+    assert float(at["turbineSpeed"][55.0]) < 1  # it stands, the engine idles
+    assert 70 < float(at["impellerSpeed"][55.0]) < 80
+
+
+def test_levels_drive_alike(drives: dict[int, dict[str, Array]]) -> None:
+    """The inertias that the higher levels leave out are small beside those of engine and vehicle."""
+    for level in (2, 3, 4, 5):
+        for name in ("impellerSpeed", "turbineSpeed"):
+            difference = drives[level][name] - drives[1][name]
+            assert float(np.sqrt(np.mean(difference**2))) < 0.02 * float(np.abs(drives[1][name]).max())
