@@ -53,6 +53,11 @@ class History:
         """How many samples are kept."""
         return len(self._samples)
 
+    @property
+    def samples(self) -> tuple[Sample, ...]:
+        """What is kept."""
+        return tuple(self._samples)
+
     def add(self, sample: Sample) -> None:
         """Notes one sample, at the time of the last one or later."""
         wrong = ~((sample.lags >= 0) & (sample.lags <= sample.longest * (1 + _ROUND)))

@@ -38,6 +38,13 @@ class Options:
     compiled: bool | None = None
     times: tuple[float, ...] = ()
     """Output times after the start, ascending, instead of the grid; a run goes to the stop time anyway."""
+    resumed: float | None = None
+    """When the run goes on, that of a stored result; None: it begins at the start."""
+
+    @property
+    def first(self) -> float:
+        """When the run begins or goes on."""
+        return self.start_time if self.resumed is None else self.resumed
 
     @property
     def span(self) -> float:

@@ -37,6 +37,25 @@ class Recorder:
         self.leaves = evaluator.code.output_leaves
         """What the columns of `data` are."""
         self._order: NDArray[np.int_] | None = None
+        self._taken = 0
+        self.count = 0
+        """How many rows there were, those that were taken included."""
+
+    def take(self) -> tuple[Vector, Vector]:
+        """The times and rows that were not taken before. Only the last row stays here."""
+        times, rows = self.time[self._taken :], self.data[self._taken :]
+        del self._times[:-1], self._rows[:-1]
+        self._taken = len(self._times)
+        return times, rows
+
+    @property
+    def pending(self) -> int:
+        """How many numbers there are to take."""
+        return (len(self._times) - self._taken) * len(self.leaves)
+
+    def last(self) -> tuple[float, dict[str, float]]:
+        """The time and the values of the last row."""
+        return self._times[-1], dict(zip(map(to_text, self.leaves), self._rows[-1].tolist(), strict=True))
 
     def go_on_with(self, evaluator: Evaluator) -> None:
         """Record another choice of states of the same system from now on, in the same columns."""
@@ -54,6 +73,7 @@ class Recorder:
             evaluator.settle()
             evaluator.explain()
             evaluator.output()
+        self.count += 1
         self._times.append(time)
         self._rows.append(row.copy() if self._order is None else row[self._order])
         if evaluator.code.system.assertions:
@@ -65,11 +85,13 @@ class Recorder:
 
     def extend(self, times: Vector, rows: Vector) -> None:
         """Takes rows that were evaluated elsewhere; `look_again` is for those that need it."""
+        self.count += len(times)
         self._times.extend(times.tolist())
         self._rows.extend(rows if self._order is None else rows[:, self._order])
 
     def look_again(self, time: float, x: Vector) -> None:
         """Evaluates the last row anew, and its assertions. Raises `SimulationProblem` as `add` does."""
+        self.count -= 1
         self._times.pop()
         self._rows.pop()
         self.add(time, x)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,16 +10,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from acausal.errors import Diagnostic, LookupProblem, fail
+from acausal.errors import Diagnostic
 from acausal.lang.flat import Variable
+from acausal.results.csv_file import CsvWriter
+from acausal.results.signals import Layout
+from acausal.results.stored import Writer, open_writer
 from acausal.simulate.costs import StateCost
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
-from acausal.simulate.names import NAME_IT_TOO, derivative_of_alias, did_you_mean, left_out
 from acausal.simulate.record import Ending
+from acausal.simulate.selection import default_names, layout_of, place_of, unit_of, unknown_name
+from acausal.simulate.standing import Standing
 from acausal.symbolic.causal import CausalSystem
-from acausal.symbolic.expressions.evaluate import evaluate
-from acausal.symbolic.expressions.expr import Constant, Expr, neg
+from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.text import to_text
 
 if TYPE_CHECKING:
@@ -65,6 +68,10 @@ class Result:
     """The `terminate` that ended the run before its stop time."""
     state_costs: tuple[StateCost, ...] = ()
     """Which states set the step size, largest influence first; empty for solvers that do not say."""
+    file: Path | None = None
+    """Where the rows are, of a run that was stored as it went; only the last row is here then."""
+    standing: Standing | None = None
+    """From where another run can go on; None where this one stopped in the middle of an event."""
 
     @cached_property
     def _columns(self) -> dict[str, int]:
@@ -77,33 +84,12 @@ class Result:
 
     def values(self, name: str) -> Vector:
         """The values of `name` over time; aliases and parameters included. Raises `LookupProblem`."""
-        sign, seen = derivative_of_alias(self.system, name) or (1.0, name)
-        for _ in range(len(self.system.aliases) + 1):
-            column = self._columns.get(seen)
-            if column is not None:
-                return sign * self.data[:, column]
-            if seen in self.parameters:
-                return np.full(len(self.time), sign * self.parameters[seen])
-            value = self.system.alias_values.get(seen)
-            if value is None:
-                break
-            if value.op == "neg" and value.args[0].op == "sym":
-                sign, value = -sign, neg(value)
-            if value.op != "sym":
-                return np.full(len(self.time), sign * self._constant(value))
-            seen = value.name
-        removed = self.system.removed
-        gone = removed is not None and any(v.name == name for v in removed.variables)
-        message = left_out(name) if gone else f"the result has no variable `{name}`"
-        hint = NAME_IT_TOO if gone else did_you_mean(name, self.names)
-        raise fail(LookupProblem, "result.unknown-name", message, names=[name], hint=hint)
-
-    def _constant(self, value: Expr) -> float:
-        def lookup(name: str) -> Constant | None:
-            return self.parameters.get(name)
-
-        number = evaluate(value, lookup)
-        return float(number) if isinstance(number, int | float) else float("nan")
+        place = place_of(self.system, self._columns, self.parameters, name)
+        if place is None:
+            raise unknown_name(self.system, name, self.names)
+        if place.column is None:
+            return np.full(len(self.time), place.value)
+        return place.factor * self.data[:, place.column]
 
     def variable(self, name: str) -> Variable | None:
         """The declaration; None for a derivative."""
@@ -111,19 +97,7 @@ class Result:
 
     def unit(self, name: str) -> str:
         """The declared unit; that of `der(x)` is the unit of `x` per second."""
-        variable = self.variable(name)
-        if variable is not None:
-            return variable.unit
-        inner = self.variable(name[4:-1]) if name.startswith("der(") else None
-        if inner is None or not inner.unit:
-            return ""
-        return (
-            "1/s"
-            if inner.unit == "1"
-            else f"{inner.unit}/s"
-            if "/" not in inner.unit
-            else f"({inner.unit})/s"
-        )
+        return unit_of(self.system, name)
 
     def __getitem__(self, name: str) -> xr.DataArray:
         """`result["line.p"]`: values over time as a labelled array with its unit."""
@@ -143,8 +117,7 @@ class Result:
     @property
     def default_names(self) -> tuple[str, ...]:
         """States and public variables of the top level (contract.md)."""
-        top = [v.name for v in self.system.flat.unknowns if v.top_level and not v.protected]
-        return tuple(dict.fromkeys([*self.system.states, *top]))
+        return default_names(self.system)
 
     @cached_property
     def all_names(self) -> tuple[str, ...]:
@@ -168,15 +141,22 @@ class Result:
 
     def to_csv(self, path: str | Path, names: Sequence[str] | None = None) -> Path:
         """Writes `time` and the chosen variables with all digits; the same run gives the same bytes."""
+        return self._written(CsvWriter, Path(path), names)
+
+    def save(self, path: str | Path, names: Sequence[str] | None = None) -> Path:
+        """Writes the chosen variables as the name's ending says: .csv, .mat, .nc or .parquet.
+
+        `acausal.read_result` reads any of them. Raises `LookupProblem`, `UsageProblem` (`usage.output`,
+        `usage.parquet`) and `SimulationProblem` (`result.write`).
+        """
+        return self._written(open_writer, Path(path), names)
+
+    def _written(
+        self, opened: Callable[[Path, Layout], Writer], path: Path, names: Sequence[str] | None
+    ) -> Path:
         chosen = self.default_names if names is None else tuple(names)
-        columns = [self.time, *(self.values(name) for name in chosen)]
-        lines = [",".join(["time", *map(_csv_field, chosen)])]
-        lines += [",".join(map(repr, row)) for row in np.column_stack(columns).tolist()]
-        target = Path(path)
-        target.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
-        return target
-
-
-def _csv_field(name: str) -> str:
-    """Quoted where a name holds a comma or a quote, as `a[1,2]` does."""
-    return '"' + name.replace('"', '""') + '"' if "," in name or '"' in name else name
+        layout, columns = layout_of(self.system, self.leaves, self.parameters, chosen)
+        writer = opened(path, layout)
+        writer.write(self.time, self.data[:, columns])
+        writer.close()
+        return path

@@ -21,6 +21,7 @@ from acausal.simulate.reselect import Reselection
 from acausal.simulate.schedule import Schedule, is_reached
 from acausal.simulate.settle import Settling
 from acausal.simulate.solver import Solver, Sweeper, Work
+from acausal.simulate.standing import Standing, standing_of
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
 _AHEAD = 1e-9
@@ -29,14 +30,15 @@ _ROUND = 64 * np.finfo(float).eps
 
 
 def grid(options: Options) -> Iterator[float]:
-    """Output times after the start: the chosen ones, or multiples of the interval; then the stop time."""
+    """Output times after the first one: the chosen ones, or multiples of the interval; then the stop time."""
     start, stop, interval = options.start_time, options.stop_time, options.interval
     if options.times:
-        yield from (time for time in options.times if start < time < stop)
+        yield from (time for time in options.times if options.first < time < stop)
         yield stop
         return
     count = int(np.ceil((stop - start) / interval * (1 - 1e-12))) if stop > start else 0
-    for i in range(1, count):
+    done = 1 if options.resumed is None else int((options.first - start) / interval * (1 + 1e-12)) + 1
+    for i in range(done, count):
         yield start + i * interval
     if stop > start:
         yield stop
@@ -56,6 +58,12 @@ class Course:
     work: Work
     ended: Ending | None = None
     state_costs: tuple[StateCost, ...] = ()
+    standing: Standing | None = None
+    """From where another run can go on."""
+
+
+Observer = Callable[[float, Callable[[], Standing]], None]
+"""Is told on the way, between events, how far the run is, and can ask where it stands."""
 
 
 def run(
@@ -65,19 +73,28 @@ def run(
     options: Options,
     recorder: Recorder,
     stopped: Callable[[Course], None] | None = None,
+    observe: Observer | None = None,
+    after: Standing | None = None,
 ) -> Course:
     """Integrates and records. `stopped` is told how far a run came that fails or is interrupted.
+
+    `observe` is called on the way and may interrupt the run. It goes on from `after`, if that is given.
 
     `solver` makes an integrator; it is None for a model without states and located events, which is only
     evaluated. Raises `SimulationProblem`, and ReductionProblem where no states can be chosen any more.
     """
     loop = _Loop(evaluator, solver, options, recorder)
     try:
-        loop.begin(options.start_time, x)
-        targets = np.array(list(grid(options)))
+        if after is None:
+            loop.begin(options.start_time, x)
+        else:
+            loop.go_on(x, after)
+        targets = np.fromiter(grid(options), float)
         done = 0
         while done < len(targets) and loop.ended is None:
-            done += loop.reach(targets[done:])
+            done += loop.pace(targets[done:])
+            if observe is not None:
+                observe(loop.time, loop.standing)
         loop.finish()
     except (AcausalError, KeyboardInterrupt):
         if stopped is not None:
@@ -112,8 +129,11 @@ class _Loop:
         self._schedule = Schedule(evaluator, options.start_time)
         self._next = math.inf
         """The next event at a known instant."""
-        self._time = options.start_time
+        self._time = options.first
         self._x = evaluator.x.copy()
+        self._between = False
+        """Whether no event is under way, so that it can be said where the run stands."""
+        self._last: Standing | None = None
 
     def begin(self, time: float, x: Vector) -> None:
         """From the initial values through the first event; what holds before it is no part of the course."""
@@ -130,6 +150,34 @@ class _Loop:
         self.recorder.add(time, self._x)
         self._close()
         self._restart()
+
+    def go_on(self, x: Vector, after: Standing) -> None:
+        """From where another run stood; the evaluator has its modes, discrete values and past."""
+        self._x = x.copy()
+        self.evaluator.at(self._time, x)
+        self.evaluator.settle()
+        self._schedule.go_on(after.samples)
+        self.recorder.add(self._time, x)
+        self._restart()
+
+    @property
+    def time(self) -> float:
+        return self.recorder.last()[0]
+
+    def standing(self) -> Standing:
+        """Where the run stands at the last row."""
+        time, row = self.recorder.last()
+        own = self.reselection.own(self.evaluator)
+        return standing_of(
+            self.evaluator, own, self.options, time, self.recorder.count, row, self._schedule.counts
+        )
+
+    def pace(self, targets: Vector) -> int:
+        """As `reach`, and notes whether it was interrupted."""
+        self._between = False
+        done = self.reach(targets)
+        self._between = True
+        return done
 
     def reach(self, targets: Vector) -> int:
         """Advances over the first of the grid points `targets`; says over how many."""
@@ -198,6 +246,8 @@ class _Loop:
 
     def finish(self) -> None:
         """The event at the end, if the model asks for it."""
+        if self.recorder.count:
+            self._last = self.standing()
         phase = self._settling.phases.get("terminal")
         if phase is not None:
             self.evaluator.at(self._time, self._x)
@@ -212,6 +262,8 @@ class _Loop:
     def course(self) -> Course:
         """What happened so far."""
         chosen = self.reselection
+        if self._last is None and self._between:
+            self._last = self.standing()
         self._costs.add(self.solver, self.evaluator.code.system.states)
         return Course(
             self.guard.count,
@@ -220,6 +272,7 @@ class _Loop:
             self._work(),
             self.ended,
             self._costs.states(),
+            self._last if self.ended is None else None,
         )
 
     def _work(self) -> Work:

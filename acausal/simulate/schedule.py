@@ -30,7 +30,15 @@ class Schedule:
         self._starts, self._intervals = starts, intervals
         slack = _rounding(start)
         self._counts = np.maximum(np.ceil((start - starts - slack) / intervals), 0.0)
+
+    @property
+    def counts(self) -> Vector:
         """Of each sample, the number of its next instant."""
+        return self._counts
+
+    def go_on(self, counts: tuple[float, ...]) -> None:
+        """Goes on with numbers that `counts` gave."""
+        self._counts = np.array(counts, dtype=float)
 
     def next(self, evaluator: Evaluator, time: float) -> float:
         """The first instant after `time`; infinite if there is none."""

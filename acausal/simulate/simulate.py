@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from time import process_time
 
 from acausal.codegen.functions import Code
+from acausal.errors import UsageProblem, fail
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.initialize import InitialPoint, initialize
 from acausal.simulate.inputs import InputValue
@@ -13,9 +15,12 @@ from acausal.simulate.options import MAX_STEPS, Options, resolve
 from acausal.simulate.overrides import Override
 from acausal.simulate.record import Recorder
 from acausal.simulate.result import Result, Statistics
+from acausal.simulate.resume import resume
 from acausal.simulate.run import Course, run
 from acausal.simulate.solver import Solver
 from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
+from acausal.simulate.standing import Standing
+from acausal.simulate.stream import Store, Stream
 
 
 def simulate(
@@ -36,6 +41,9 @@ def simulate(
     parameters: Mapping[str, Override] | None = None,
     start: Mapping[str, float] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
+    store: Store | None = None,
+    after: Standing | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> Result:
     """Initialise and integrate. What is not given comes from the `experiment` annotation, else contract.md.
 
@@ -45,12 +53,17 @@ def simulate(
     and `events` says whether they `locate` zero crossings inside a step or handle them at its end (`step`).
     `compiled` says whether the model's functions are compiled C; the default is what costs less. `keep` is
     given the result so far of a run that fails on the way or is interrupted, before the error goes on.
+    `store` writes the rows to a file as they come, and leaves only the last one in the result. `after` goes
+    on where another run stood (`Result.standing`), on the grid of that run. `progress` is told the time
+    reached, now and then between events; from a `KeyboardInterrupt` that it raises a run can go on.
     Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
     """
+    if after is not None:
+        _check_continued(after, start_time, start)
     options = resolve(
         code.system.flat.experiment,
         stop_time=stop_time,
-        start_time=start_time,
+        start_time=start_time if after is None else after.start,
         rtol=rtol,
         atol=atol,
         max_step=max_step,
@@ -62,30 +75,73 @@ def simulate(
         events=events,
         compiled=compiled,
     )
-    point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
-    return integrate(point, options, keep)
+    if after is None:
+        point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
+    else:
+        options = resumed(options, after)
+        point = resume(code, after, parameters, inputs, options.stop_time)
+    return integrate(point, options, keep, store, after, progress)
 
 
-def integrate(point: InitialPoint, options: Options, keep: Callable[[Result], None] | None = None) -> Result:
+def _check_continued(after: Standing, start_time: float | None, start: Mapping[str, float] | None) -> None:
+    """Raises `UsageProblem` for what a run that goes on cannot be given."""
+    given = "start_time" if start_time not in (None, after.start) else "start" if start else ""
+    if given:
+        problem = f"a run that goes on from a stored one takes no `{given}`"
+        raise fail(UsageProblem, "usage.continue", problem, names=[given])
+
+
+def resumed(options: Options, after: Standing) -> Options:
+    """The options of a run that goes on. Raises `UsageProblem` where its stop time is past already."""
+    if not options.stop_time > after.time:
+        problem = f"the stored run ends at {after.time:g} s, not before the stop time {options.stop_time:g} s"
+        raise fail(UsageProblem, "usage.continue", problem, hint="give a later stop time")
+    return replace(options, resumed=after.time)
+
+
+def integrate(
+    point: InitialPoint,
+    options: Options,
+    keep: Callable[[Result], None] | None = None,
+    store: Store | None = None,
+    after: Standing | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Result:
     """Integrate from an initial point; the point's evaluator is used up."""
     evaluator = point.evaluator
     code = evaluator.code
     recorder = Recorder(evaluator)
+    parameters = dict(zip(code.system.parameters, evaluator.p.tolist(), strict=True))
+    stream = Stream(store, code.system, recorder, parameters) if store is not None else None
     began = process_time()
 
     def solver(current: Evaluator) -> Solver:
         return make_solver(current, options)
 
+    def observe(time: float, standing: Callable[[], Standing]) -> None:
+        if stream is not None:
+            stream.observe(time, standing)
+        if progress is not None:
+            progress(time)
+
     def result(course: Course) -> Result:
         cpu = process_time() - began - course.compiling - course.work.compiling
-        return _result(point, options, recorder, course, cpu)
+        if stream is not None:
+            cpu -= stream.spent
+            stream.close(course.standing)
+        found = _result(point, options, recorder, course, cpu)
+        return found if store is None else replace(found, file=store.path)
 
     def stopped(course: Course) -> None:
-        if keep is not None and recorder.time.size:
-            keep(result(course))
+        if (keep is not None or stream is not None) and recorder.count:
+            found = result(course)
+            if keep is not None:
+                keep(found)
 
     moves = (code.system.states or code.located) and options.span > 0
-    return result(run(evaluator, solver if moves else None, point.x, options, recorder, stopped))
+    made = solver if moves else None
+    watched = observe if stream is not None or progress is not None else None
+    return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
 
 
 def _result(point: InitialPoint, options: Options, recorder: Recorder, course: Course, cpu: float) -> Result:
@@ -97,6 +153,7 @@ def _result(point: InitialPoint, options: Options, recorder: Recorder, course: C
         leaves=recorder.leaves,
         data=recorder.data,
         parameters=dict(zip(code.system.parameters, evaluator.p.tolist(), strict=True)),
+        standing=course.standing,
         statistics=Statistics(
             solver=options.solver,
             stop_time=options.stop_time,

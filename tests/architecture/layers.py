@@ -18,7 +18,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("acausal.externals",),
     ("acausal.lang",),
     ("acausal.symbolic",),
-    ("acausal.codegen", "acausal.plotting", "acausal.runtime"),
+    ("acausal.codegen", "acausal.plotting", "acausal.results", "acausal.runtime"),
     ("acausal.simulate",),
     ("acausal.pipeline",),
     ("acausal.analysis",),
