@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from acausal.errors import AcausalError
     from acausal.export.casadi_model import load_casadi
     from acausal.notebook import load_ipython_extension
+    from acausal.results.stored import read_result
     from acausal.simulate.result import Result
 
 __all__ = [
@@ -32,6 +33,7 @@ __all__ = [
     "load_casadi",
     "load_ipython_extension",
     "loads",
+    "read_result",
 ]
 
 _HOMES = {
@@ -43,6 +45,7 @@ _HOMES = {
     "load_casadi": "acausal.export.casadi_model",
     "load_ipython_extension": "acausal.notebook",
     "loads": "acausal.api",
+    "read_result": "acausal.results.stored",
 }
 
 

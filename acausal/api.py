@@ -46,6 +46,7 @@ if (
     from acausal.simulate.jacobian import Jacobian
     from acausal.simulate.overrides import Override
     from acausal.simulate.result import Result
+    from acausal.simulate.simulate import After
     from acausal.symbolic.causal import Block, CausalSystem
 
 
@@ -189,14 +190,19 @@ class CompiledModel(Linearizing):
         parameters: Mapping[str, Override] | None = None,
         start: Mapping[str, float] | None = None,
         inputs: Mapping[str, InputValue] | None = None,
+        store: str | Path | None = None,
+        variables: Sequence[str] | None = None,
+        after: After | None = None,
+        progress: Callable[[float], None] | None = None,
     ) -> Result:
         """Integrate from `start_time` to `stop_time` (s).
 
         What is not given comes from the `experiment` annotation, else it is 0 to 1 s, 1e-6, 1/500 of the
         duration. `parameters` and `start` change tunable parameters and start values without compiling again.
         `inputs` gives the model's inputs: constants, functions of time, or tables `(times, values)`.
-        `solver`, `step` (s), `events`, `compiled` and `keep` are those of `acausal.simulate.simulate`. Raises
-        `InitializationProblem`, `SimulationProblem`, and `UsageProblem` for settings that cannot be.
+        `store` writes `variables` to a file while the run goes on, `after` continues a run or stored result.
+        These and the rest are those of `acausal.simulate.simulate`. Raises `InitializationProblem`,
+        `SimulationProblem`, and `UsageProblem` for settings that cannot be.
         """
         from acausal.simulate.simulate import simulate
 
@@ -216,6 +222,10 @@ class CompiledModel(Linearizing):
             parameters=parameters,
             start=start,
             inputs=inputs,
+            store=store,
+            variables=variables,
+            after=after,
+            progress=progress,
         )
 
     def export_c(

@@ -209,7 +209,12 @@ def simulate(
     ] = None,
     all_: Annotated[bool, typer.Option("--all", help="Keep every variable.")] = False,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE.csv", help="Write a table.")
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .mat, .nc or .parquet."),
+    ] = None,
+    continue_: Annotated[
+        Path | None,
+        typer.Option("--continue", metavar="FILE", help="Go on where the run that wrote FILE ended."),
     ] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw a PNG, SVG or PDF.")] = None,
     class_: _Class = None,
@@ -237,6 +242,7 @@ def simulate(
         plot,
         step=step,
         events=events,
+        after=continue_,
     )
     run_simulate(target, settings, as_json=json)
 
@@ -293,7 +299,9 @@ def export(
 
 @app.command(short_help="Read figures off a stored result.")
 def metrics(
-    result: Annotated[Path, typer.Argument(metavar="RESULT", help="A CSV that `acausal simulate -o` wrote.")],
+    result: Annotated[
+        Path, typer.Argument(metavar="RESULT", help="A file that `acausal simulate -o` wrote.")
+    ],
     kind: Annotated[
         str, typer.Option(metavar="KIND", help="What to measure: shift, converter, engagement.")
     ] = "shift",

@@ -8,9 +8,19 @@ from pathlib import Path
 from acausal.api import CompiledModel
 from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
+from acausal.cli.progress import Progress
 from acausal.errors import Diagnostic, UsageProblem, fail
+from acausal.lang.flat import Variable
+from acausal.results.parquet_file import part_of
+from acausal.results.signals import Vector
+from acausal.results.stored import StoredResult, check_format, read_result
 from acausal.simulate.names import check_names
 from acausal.simulate.result import Result
+from acausal.simulate.selection import default_names
+from acausal.simulate.simulate import simulate
+from acausal.simulate.standing import Standing
+from acausal.simulate.stream import Store, read_end
+from acausal.symbolic.causal import CausalSystem
 
 _SHOWN = 40
 _COSTS = (
@@ -43,11 +53,18 @@ class Run:
     step: float | None = None
     events: str = "locate"
 
-    def chosen(self, result: Result) -> tuple[str, ...]:
+    after: Path | None = None
+
+    @property
+    def file(self) -> Path | None:
+        """Where the rows go: a run that goes on adds to its file, unless another one is named."""
+        return self.output if self.output is not None else self.after
+
+    def chosen(self, system: CausalSystem) -> tuple[str, ...]:
         """The variables that are kept: `-v`, else `--all`, else the states and the top level's."""
         if self.everything:
-            return tuple(dict.fromkeys([*self.variables, *result.all_names]))
-        return self.variables or result.default_names
+            return tuple(dict.fromkeys([*self.variables, *(v.name for v in system.flat.unknowns)]))
+        return self.variables or default_names(system)
 
 
 def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
@@ -55,50 +72,118 @@ def run_simulate(target: Target, run: Run, *, as_json: bool) -> None:
     if run.plot is not None and run.plot.suffix.lower() not in _PLOTS:
         problem = f"`{run.plot}` cannot be drawn"
         raise fail(UsageProblem, "usage.plot", problem, hint=f"end the name in {', '.join(_PLOTS)}")
-    for file in (run.output, run.plot):
+    for file in (run.file, run.plot):
         check_writable(file)
+    if run.file is not None:
+        check_format(run.file)
     compiled = CompiledModel(target.run())
     print_diagnostics(compiled.warnings)
     check_names(compiled.code, run.variables)
-    result = compiled.simulate(
-        stop_time=run.stop_time,
-        solver=run.solver,
-        rtol=run.rtol,
-        atol=run.atol,
-        max_step=run.max_step,
-        interval=run.interval,
-        step=run.step,
-        events=run.events,
-        keep=lambda partial: _keep(partial, run),
-    )
+    result, names = _run(compiled, run)
     print_diagnostics(result.warnings)
-    names = run.chosen(result)
-    write_files(result, names, run)
+    if run.plot is not None:
+        _draw(result, names, run.plot)
     if as_json:
         print_json(summary(result, names, run))
     else:
         print_run(result, names, run)
 
 
-def _keep(partial: Result, run: Run) -> None:
-    """Writes what there is of a run that did not get to its end, and says so."""
-    if run.output is None and run.plot is None:
+def _run(compiled: CompiledModel, run: Run) -> tuple[Result, tuple[str, ...]]:
+    """The run, and the variables that are kept of it."""
+    names = run.chosen(compiled.causal)
+    standing = store = None
+    if run.after is not None:
+        standing = read_end(run.after)
+        names, store = continued(run, standing)
+    elif run.output is not None:
+        store = Store(run.output, names)
+    progress = progress_of(compiled, run, standing)
+    with progress.watching():
+        result = simulate(
+            compiled.code,
+            stop_time=run.stop_time,
+            solver=run.solver,
+            rtol=run.rtol,
+            atol=run.atol,
+            max_step=run.max_step,
+            interval=run.interval,
+            step=run.step,
+            events=run.events,
+            keep=lambda partial: _keep(partial, names, run),
+            store=store,
+            after=standing,
+            progress=progress,
+        )
+    return result, names
+
+
+def continued(run: Run, standing: Standing) -> tuple[tuple[str, ...], Store]:
+    """The variables of the stored run, and the file: its own, or another that gets its rows first."""
+    assert run.after is not None
+    stored = read_result(run.after if run.after.is_file() else part_of(run.after))
+    if run.everything or (run.variables and run.variables != stored.names):
+        problem = f"`{run.after}` holds the variables that it was begun with"
+        raise fail(UsageProblem, "usage.continue", problem, hint="leave -v and --all out")
+    if run.output is None or run.output.absolute() == run.after.absolute():
+        return stored.names, Store(run.after, stored.names, standing.rows)
+    return stored.names, Store(run.output, stored.names, standing.rows, stored)
+
+
+def progress_of(compiled: CompiledModel, run: Run, standing: Standing | None) -> Progress:
+    """The progress of a run from its start, or from where it goes on, to its stop time."""
+    experiment = compiled.flat.experiment
+    start = experiment.start_time or 0.0
+    stop = run.stop_time if run.stop_time is not None else experiment.stop_time
+    return Progress(start if standing is None else standing.time, start + 1.0 if stop is None else stop)
+
+
+def _keep(partial: Result, names: tuple[str, ...], run: Run) -> None:
+    """Says what there is of a run that did not get to its end."""
+    if run.plot is not None:
+        _draw(partial, names, run.plot)
+    if run.file is None and run.plot is None:
         return
-    write_files(partial, run.chosen(partial), run)
     message = f"the run stopped before its end; what was written ends at {partial.time[-1]:.9g} s"
-    print_diagnostics([Diagnostic("simulate.partial", message, severity="warning")])
+    can = run.file is not None and partial.standing is not None
+    hint = f"to go on: --continue {run.file}" if can else ""
+    print_diagnostics([Diagnostic("simulate.partial", message, hint=hint, severity="warning")])
 
 
-def write_files(result: Result, names: tuple[str, ...], run: Run) -> None:
-    """The table and the plot that were asked for. Raises `UsageProblem` when a file cannot be written."""
+def _draw(result: Result, names: tuple[str, ...], path: Path) -> None:
+    """Draws what the run kept. Raises `UsageProblem` when the file cannot be written."""
+    from acausal.plotting import plot  # Matplotlib takes half a second to import
+
     try:
-        if run.output is not None:
-            result.to_csv(run.output, names)
-        if run.plot is not None:
-            result.plot(*names, path=run.plot)
+        plot(result if result.file is None else _Written(read_result(result.file), result), names, path)
     except OSError as problem:
-        what = f"cannot write `{problem.filename or run.output or run.plot}`: {problem.strerror or problem}"
+        what = f"cannot write `{problem.filename or path}`: {problem.strerror or problem}"
         raise fail(UsageProblem, "usage.output", what) from None
+
+
+@dataclass(frozen=True, eq=False)
+class _Written:
+    """The rows of a file with the units of the model: what a plot needs."""
+
+    stored: StoredResult
+    result: Result
+
+    @property
+    def time(self) -> Vector:
+        return self.stored.time
+
+    @property
+    def default_names(self) -> tuple[str, ...]:
+        return self.stored.names
+
+    def values(self, name: str) -> Vector:
+        return self.stored.values(name)
+
+    def unit(self, name: str) -> str:
+        return self.result.unit(name)
+
+    def variable(self, name: str) -> Variable | None:
+        return self.result.variable(name)
 
 
 def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, object]:
@@ -110,7 +195,7 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
         **({"max_step_seconds": longest} if (longest := statistics["max_step_seconds"]) is not None else {}),
         **_ending(result),
         "final": result.final(names),
-        "result": None if run.output is None else str(run.output),
+        "result": None if run.file is None else str(run.file),
     }
 
 
@@ -129,7 +214,7 @@ def print_run(result: Result, names: tuple[str, ...], run: Run) -> None:
     titles = ("variable", "value", "unit", "description")
     print_table([_row(result, name) for name in shown], titles, right=[1])
     if len(names) > len(shown):
-        print_text(f"and {len(names) - len(shown)} more; -o FILE.csv writes all")
+        print_text(f"and {len(names) - len(shown)} more; -o FILE writes all")
     assumed = [f"{start.name} = {start.value:g}" for start in result.starts if start.reason == "assumed"]
     if assumed:
         more = f" and {len(assumed) - _SHOWN} more" if len(assumed) > _SHOWN else ""
@@ -142,7 +227,7 @@ def print_run(result: Result, names: tuple[str, ...], run: Run) -> None:
     )
     if result.ended is not None:
         print_text(f"ended by the model at {result.ended.time:g} s: {result.ended.message}")
-    for file in (run.output, run.plot):
+    for file in (run.file, run.plot):
         if file is not None:
             print_text(f"wrote {file}")
 

@@ -29,11 +29,14 @@ class CsvWriter:
         """Adds rows."""
         table = np.column_stack([time, self._layout.table(rows)]).tolist()
         lines = [",".join(map(repr, row)) for row in table]
-        self._file.append(("\n".join(lines) + "\n").encode(), self.rows)
-        self.rows += len(lines)
+        data = ("\n".join(lines) + "\n").encode()
+        self.rows += data.count(b"\n", 0, self._file.append(data))
+        self._file.check(self.rows)
 
     def close(self) -> None:
         self._file.close()
+
+    abandon = close
 
 
 def _field(name: str) -> str:

@@ -40,10 +40,12 @@ class MatWriter:
 
     def write(self, time: Vector, rows: Vector) -> None:
         """Adds rows."""
-        self._file.append(np.column_stack([time, rows]).astype("<f8").tobytes(), self.rows)
+        data, size = np.column_stack([time, rows]).astype("<f8").tobytes(), 8 * self._width
+        added = self._file.append(data, size) // size
         first = float(time[0]) if self.rows == 0 else None
-        self.rows += len(time)
-        self._counted(first, float(time[-1]))
+        self.rows += added
+        self._counted(first, float(time[added - 1]) if added else None)
+        self._file.check(self.rows)
 
     def _counted(self, first: float | None, last: float | None = None) -> None:
         """Says how many rows there are, and from when to when."""
@@ -55,6 +57,8 @@ class MatWriter:
 
     def close(self) -> None:
         self._file.close()
+
+    abandon = close
 
 
 def _constants(layout: Layout) -> list[Signal]:

@@ -34,12 +34,15 @@ class NetcdfWriter:
     def write(self, time: Vector, rows: Vector) -> None:
         """Adds rows."""
         table = np.column_stack([time, self._layout.table(rows)])
-        self._file.append(table.astype(">f8").tobytes(), self.rows)
-        self.rows += len(table)
+        size = 8 * table.shape[1]
+        self.rows += self._file.append(table.astype(">f8").tobytes(), size) // size
         self._file.patch(_COUNT, struct.pack(">i", self.rows), self.rows)
+        self._file.check(self.rows)
 
     def close(self) -> None:
         self._file.close()
+
+    abandon = close
 
 
 def _name(text: str) -> bytes:

@@ -6,6 +6,7 @@ is NetCDF and readable at any time.
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,12 +30,10 @@ def part_of(path: Path) -> Path:
 
 def require_pyarrow() -> None:
     """Raises `UsageProblem` (`usage.parquet`) where PyArrow is not installed."""
-    try:
-        import pyarrow.parquet  # noqa: F401
-    except ImportError:
+    if find_spec("pyarrow") is None:
         problem = "Parquet needs PyArrow, which is not installed"
         hint = "pip install 'acausal[parquet]', or write .mat, .nc or .csv"
-        raise fail(UsageProblem, "usage.parquet", problem, hint=hint) from None
+        raise fail(UsageProblem, "usage.parquet", problem, hint=hint)
 
 
 class ParquetWriter:
@@ -73,6 +72,9 @@ class ParquetWriter:
             message = f"cannot write `{self._path}`: {problem.strerror or problem}"
             raise fail(SimulationProblem, "result.write", message, hint=f"the rows are in `{part}`") from None
         part.unlink()
+
+    def abandon(self) -> None:
+        self._part.close()
 
 
 def _write(path: Path, layout: Layout, signals: tuple[Signal, ...], time: Vector, values: Vector) -> None:

@@ -19,37 +19,52 @@ class RowFile:
         Raises `UsageProblem` (`usage.output`) where the file cannot be opened or begun.
         """
         self.path = path
-        self._good = end
+        self._good = len(head) if head is not None else end
+        self._problem: OSError | None = None
         try:
             self._file: BinaryIO = path.open("wb" if head is not None else "r+b", buffering=0)
+        except OSError as problem:
+            raise _unwritable(path, problem) from None
+        try:
             if head is not None:
                 self._write(head)
-                self._good = len(head)
             else:
                 self._file.truncate(end)
-                self._file.seek(end)
         except OSError as problem:
-            message = f"cannot write `{path}`: {problem.strerror or problem}"
-            raise fail(UsageProblem, "usage.output", message) from None
+            self._file.close()
+            raise _unwritable(path, problem) from None
 
     @property
     def size(self) -> int:
         """Bytes that were written whole."""
         return self._good
 
-    def append(self, data: bytes, rows: int) -> None:
-        """Adds bytes at the end. Raises `SimulationProblem` (`result.write`), as on a full disk."""
+    def append(self, data: bytes, row: int = 0) -> int:
+        """Adds bytes at the end, as far as they fit; says how many of them are whole rows.
+
+        A row has so many bytes, or is a line. `check` tells whether all of them were written.
+        """
+        written = 0
         try:
             self._file.seek(self._good)  # an interrupted call may have left it anywhere
-            self._write(data)
+            while written < len(data):
+                written += self._file.write(memoryview(data)[written:])
         except OSError as problem:
+            self._problem = problem
+            written = written // row * row if row else data.rfind(b"\n", 0, written) + 1
             with suppress(OSError):
-                self._file.truncate(self._good)
-            raise _full(self.path, problem, rows) from None
-        self._good += len(data)
+                self._file.truncate(self._good + written)
+        self._good += written
+        return written
+
+    def check(self, rows: int) -> None:
+        """Raises `SimulationProblem` (`result.write`) where not all was written, as on a full disk."""
+        if self._problem is not None:
+            problem, self._problem = self._problem, None
+            raise _full(self.path, problem, rows)
 
     def patch(self, position: int, data: bytes, rows: int) -> None:
-        """Writes over bytes that are there."""
+        """Writes over bytes that are there. Raises `SimulationProblem` (`result.write`)."""
         try:
             self._file.seek(position)
             self._write(data)
@@ -63,6 +78,10 @@ class RowFile:
 
     def close(self) -> None:
         self._file.close()
+
+
+def _unwritable(path: Path, problem: OSError) -> UsageProblem:
+    return fail(UsageProblem, "usage.output", f"cannot write `{path}`: {problem.strerror or problem}")
 
 
 def _full(path: Path, problem: OSError, rows: int) -> SimulationProblem:

@@ -33,7 +33,13 @@ class Writer(Protocol):
         """Adds rows: `layout.width` numbers each. Raises `SimulationProblem` (`result.write`)."""
         ...
 
-    def close(self) -> None: ...
+    def close(self) -> None:
+        """Makes the file whole. Raises `SimulationProblem` (`result.write`)."""
+        ...
+
+    def abandon(self) -> None:
+        """Leaves what is there as it is; nothing happens to a file that was closed."""
+        ...
 
 
 def open_writer(path: Path, layout: Layout, rows: int | None = None) -> Writer:

@@ -37,7 +37,8 @@ def resume(
     p = parameter_values(code, given, override)
     evaluator = Evaluator(code, p, bind_inputs(code, p, inputs or {}, after.time, until))
     evaluator.d[:] = [after.frozen[to_text(leaf)] for leaf in code.system.discrete.frozen]
-    evaluator.guess[:] = [after.guesses.get(to_text(leaf), 0.0) for leaf in code.dynamic.guesses]
+    known = {**after.states, **after.guesses}
+    evaluator.guess[:] = [known.get(to_text(leaf), 0.0) for leaf in code.dynamic.guesses]
     if evaluator.history is not None:
         for sample in after.past:
             evaluator.history.add(sample)

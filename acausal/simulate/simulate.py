@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from time import process_time
+from typing import TypeAlias
 
 from acausal.codegen.functions import Code
 from acausal.errors import UsageProblem, fail
@@ -20,7 +22,10 @@ from acausal.simulate.run import Course, run
 from acausal.simulate.solver import Solver
 from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 from acausal.simulate.standing import Standing
-from acausal.simulate.stream import Store, Stream
+from acausal.simulate.stream import Store, Stream, read_end
+
+After: TypeAlias = "Standing | Result | str | Path"
+"""What a run can go on from: another run, or the file of its result."""
 
 
 def simulate(
@@ -41,8 +46,9 @@ def simulate(
     parameters: Mapping[str, Override] | None = None,
     start: Mapping[str, float] | None = None,
     inputs: Mapping[str, InputValue] | None = None,
-    store: Store | None = None,
-    after: Standing | None = None,
+    store: str | Path | Store | None = None,
+    variables: Sequence[str] | None = None,
+    after: After | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Result:
     """Initialise and integrate. What is not given comes from the `experiment` annotation, else contract.md.
@@ -53,17 +59,19 @@ def simulate(
     and `events` says whether they `locate` zero crossings inside a step or handle them at its end (`step`).
     `compiled` says whether the model's functions are compiled C; the default is what costs less. `keep` is
     given the result so far of a run that fails on the way or is interrupted, before the error goes on.
-    `store` writes the rows to a file as they come, and leaves only the last one in the result. `after` goes
-    on where another run stood (`Result.standing`), on the grid of that run. `progress` is told the time
+    `store` writes `variables` (by default the states and those of the top level) to a file as they come, and
+    leaves only the last row in the result; its ending says the format: .csv, .mat, .nc or .parquet. `after`
+    goes on where another run or a stored result ended, on the grid of that run. `progress` is told the time
     reached, now and then between events; from a `KeyboardInterrupt` that it raises a run can go on.
     Raises `InitializationProblem`, `SimulationProblem`, `UsageProblem` and `LookupProblem`.
     """
-    if after is not None:
-        _check_continued(after, start_time, start)
+    standing = standing_after(after) if after is not None else None
+    if standing is not None:
+        _check_continued(standing, start_time, start)
     options = resolve(
         code.system.flat.experiment,
         stop_time=stop_time,
-        start_time=start_time if after is None else after.start,
+        start_time=start_time if standing is None else standing.start,
         rtol=rtol,
         atol=atol,
         max_step=max_step,
@@ -75,12 +83,25 @@ def simulate(
         events=events,
         compiled=compiled,
     )
-    if after is None:
+    if standing is None:
         point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
     else:
-        options = resumed(options, after)
-        point = resume(code, after, parameters, inputs, options.stop_time)
-    return integrate(point, options, keep, store, after, progress)
+        options = resumed(options, standing)
+        point = resume(code, standing, parameters, inputs, options.stop_time)
+    if store is not None and not isinstance(store, Store):
+        store = Store(Path(store), None if variables is None else tuple(variables))
+    return integrate(point, options, keep, store, standing, progress)
+
+
+def standing_after(after: After) -> Standing:
+    """Where a run stood: one in memory, or the one that a file's result is of. Raises `UsageProblem`."""
+    if isinstance(after, str | Path):
+        return read_end(Path(after))
+    found = after.standing if isinstance(after, Result) else after
+    if found is None:
+        problem = "the run cannot be continued: the model ended it, or it stopped in the middle of an event"
+        raise fail(UsageProblem, "usage.continue", problem)
+    return found
 
 
 def _check_continued(after: Standing, start_time: float | None, start: Mapping[str, float] | None) -> None:
@@ -128,11 +149,13 @@ def integrate(
         cpu = process_time() - began - course.compiling - course.work.compiling
         if stream is not None:
             cpu -= stream.spent
-            stream.close(course.standing)
+            stream.close(None if course.ended is not None else course.standing)
         found = _result(point, options, recorder, course, cpu)
         return found if store is None else replace(found, file=store.path)
 
     def stopped(course: Course) -> None:
+        if stream is not None and stream.is_broken:
+            return
         if (keep is not None or stream is not None) and recorder.count:
             found = result(course)
             if keep is not None:
@@ -141,7 +164,11 @@ def integrate(
     moves = (code.system.states or code.located) and options.span > 0
     made = solver if moves else None
     watched = observe if stream is not None or progress is not None else None
-    return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
+    try:
+        return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
+    finally:
+        if stream is not None:
+            stream.abandon()
 
 
 def _result(point: InitialPoint, options: Options, recorder: Recorder, course: Course, cpu: float) -> Result:

@@ -9,13 +9,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic, process_time
 
-from acausal.errors import UsageProblem, fail
+import numpy as np
+
+from acausal.errors import AcausalError, UsageProblem, fail
 from acausal.results.parquet_file import part_of
-from acausal.results.stored import open_writer
+from acausal.results.signals import Layout, Vector
+from acausal.results.stored import StoredResult, open_writer
 from acausal.simulate.record import Recorder
 from acausal.simulate.selection import default_names, layout_of
 from acausal.simulate.standing import Standing, from_text
@@ -28,11 +31,15 @@ _SECONDS = 0.5
 
 @dataclass(frozen=True)
 class Store:
-    """A file to write the variables `names` to (by default the contract's); `rows` of it are kept."""
+    """A file to write the variables `names` to (by default the contract's).
+
+    A run that goes on leaves the first `rows` of the file, or writes those of `earlier`, another file, first.
+    """
 
     path: Path
     names: tuple[str, ...] | None = None
     rows: int | None = None
+    earlier: StoredResult | None = None
 
 
 class Stream:
@@ -47,11 +54,16 @@ class Stream:
         self._path = store.path
         self._skip = 0 if store.rows is None else 1  # the row from which the run goes on
         self._before = (store.rows or 0) - self._skip
-        self._writer = open_writer(store.path, layout, store.rows)
+        self._writer = open_writer(store.path, layout, store.rows if store.earlier is None else None)
         self._last = monotonic()
         self.spent = 0.0
-        if store.rows is None:
-            end_of(store.path).unlink(missing_ok=True)
+        self.is_broken = False
+        """Whether the file could not be written."""
+        if store.rows is None or store.earlier is not None:
+            with suppress(OSError):
+                end_of(store.path).unlink()
+        if store.earlier is not None and store.rows:
+            self._add(store.earlier.time[: store.rows], _rows(layout, store.earlier)[: store.rows])
 
     def observe(self, time: float, standing: Callable[[], Standing]) -> None:
         """Writes what there is, if it is much or the last time was long ago."""
@@ -66,10 +78,17 @@ class Stream:
         times, rows = self._recorder.take()
         skip, self._skip = min(self._skip, len(times)), max(0, self._skip - len(times))
         if len(times) > skip:
-            self._writer.write(times[skip:], rows[skip:, self._columns])
+            self._add(times[skip:], rows[skip:, self._columns])
         if standing is not None and (self._path.is_file() or part_of(self._path).is_file()):
             write_end(self._path, standing, self._before)
         self.spent += process_time() - began
+
+    def _add(self, times: Vector, rows: Vector) -> None:
+        try:
+            self._writer.write(times, rows)
+        except AcausalError:
+            self.is_broken = True
+            raise
 
     def close(self, standing: Standing | None) -> None:
         """Writes the rest. Raises `SimulationProblem` (`result.write`)."""
@@ -77,6 +96,19 @@ class Stream:
         began = process_time()
         self._writer.close()
         self.spent += process_time() - began
+
+    def abandon(self) -> None:
+        """Lets go of the file, whatever happened."""
+        self._writer.abandon()
+
+
+def _rows(layout: Layout, stored: StoredResult) -> Vector:
+    """The rows of a stored result as a layout wants them."""
+    rows = np.empty((len(stored.time), layout.width))
+    for signal in layout.signals:
+        if signal.column is not None:
+            rows[:, signal.column] = signal.factor * stored.values(signal.name)
+    return rows
 
 
 def end_of(path: Path) -> Path:
@@ -88,7 +120,7 @@ def write_end(path: Path, standing: Standing, before: int = 0) -> None:
     """Writes it whole or not at all; `before` rows of the file are of earlier runs."""
     target = end_of(path)
     new = target.with_name(target.name + ".new")
-    whole = Standing(**(vars(standing) | {"rows": standing.rows + before}))
+    whole = replace(standing, rows=standing.rows + before)
     try:
         new.write_text(whole.to_text(), encoding="utf-8")
         os.replace(new, target)
