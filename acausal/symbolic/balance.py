@@ -129,14 +129,20 @@ def counted(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
+def _texts(system: Structure, equations: Sequence[Eq]) -> str:
+    """The first ones with their places."""
+    texts = [equation_with_place(system.equations[eq]) for eq in equations[:SHOWN]]
+    return listed([*texts, *[""] * (len(equations) - len(texts))])
+
+
 def _over(system: Structure, part: Part, code: str, counts: str) -> list[Diagnostic]:
     """One diagnostic for each equation of an over-determined part, the most suspicious one first."""
     suspects = sorted(part.equations, key=lambda eq: _suspicion(system, eq))
     names = tuple(system.unknowns[v].name for v in part.variables)
-    texts = [equation_with_place(system.equations[eq]) for eq in suspects]
+    number = len(suspects)
     what = f"{counted(len(names), 'unknown')} ({listed(names)})" if names else "no unknown at all"
-    verb = "determine" if len(texts) > 1 else "determines"
-    why = f"{counts}: {counted(len(texts), 'equation')} {verb} {what}: {listed(texts)}"
+    verb = "determine" if number > 1 else "determines"
+    why = f"{counts}: {counted(number, 'equation')} {verb} {what}: {_texts(system, suspects)}"
     first = system.equations[suspects[0]]
     about = names or symbols([first.left, first.right])
     result = [Diagnostic(code, why, first.span, about, _hint_over(system, part))]
@@ -211,8 +217,8 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
     ordered = sorted(part.variables, key=lambda v: (v in system.differentiated, occurrences[v], v))
     variables = [system.unknowns[v] for v in ordered]
     names = tuple(v.name for v in variables)
-    texts = [equation_with_place(system.equations[eq]) for eq in part.equations]
-    by = f"only {counted(len(texts), 'equation')}: {listed(texts)}" if texts else "no equation"
+    texts = _texts(system, part.equations)
+    by = f"only {counted(len(part.equations), 'equation')}: {texts}" if texts else "no equation"
     why = f"{counts}: {counted(len(names), 'unknown')} ({listed(names)}) for {by}"
     hint = _hint_under(system, variables, len(part.variables) - len(part.equations))
     result = [Diagnostic(code, why, variables[0].span, names, hint)]
@@ -238,7 +244,8 @@ def _hint_under(system: Structure, variables: list[Variable], number: int) -> st
     ends = [end for v in variables if (end := v.name.rpartition(".")[0]) in open_]
     if ends:
         return f"{add}, or connect {listed(list(dict.fromkeys(ends)))}"
-    if any(v.name.rpartition(".")[0] in _connectors(system) for v in variables):
+    with_flows = _connectors(system)
+    if any(v.name.rpartition(".")[0] in with_flows for v in variables):
         return (
             f"{add}, or connect them to a reference (ground, tank, fixed flange): nothing fixes their level"
         )

@@ -7,6 +7,8 @@ import pytest
 from acausal.errors import BalanceProblem, Diagnostic
 from acausal.lang.flat import FlatModel, Origin
 from acausal.symbolic.balance import check_balance
+from tests.growth import Work, growth
+from tests.language.models import flat_model
 from tests.symbolic.build import Attributes, chain, model
 
 
@@ -119,3 +121,11 @@ def test_a_component_is_judged_by_what_may_be_connected_to_it() -> None:
     texts = ("p.v = 1", "p.v = 2", "p.i = 0", "n.i = 0")  # nothing connected to p could make up for that
     with pytest.raises(BalanceProblem):
         check_balance(model(*texts, variables=variables, origins=origins), as_component=True)
+
+
+def test_a_large_gap_is_told_in_proportion_to_its_size() -> None:
+    def prepare(size: int) -> Work:
+        flat = flat_model(f"model Test Real x[{size}]; end Test;")
+        return lambda: problems(flat)
+
+    assert growth(prepare, 500, 8000) < 4
