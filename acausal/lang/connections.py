@@ -55,6 +55,10 @@ class ConnectionSets:
             self.parent[node], node = root, self.parent[node]
         return root
 
+    def joins(self, path: str) -> bool:
+        """Whether a `connect` names the variable, from outside or inside of its component."""
+        return (path, True) in self.place or (path, False) in self.place
+
     def join(self, a: Node, b: Node, span: Span, component: str) -> None:
         for node in (a, b):
             self.place.setdefault(node, (span, component))

@@ -239,6 +239,8 @@ class FlatModel:
     whens: tuple[When, ...] = ()
     declared_units: tuple[tuple[Expr, str], ...] = ()
     """Results of inlined functions, and the unit that their output declares; inner calls first."""
+    open_inputs: frozenset[str] = frozenset()
+    """Inputs of components that have no value and no connection: an equation may still determine them."""
 
     @property
     def equation_count(self) -> int:

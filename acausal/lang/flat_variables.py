@@ -47,6 +47,8 @@ class Variables:
         self._translation = translation
         self._attributes: dict[tuple[int, str], _Attributes] = {}
         self.bindings: list[Equation] = []
+        self.inputs: list[str] = []
+        """Inputs of components without a value of their own."""
 
     def of(self, root: Instance) -> list[Variable]:
         """All scalars in order of declaration, depth first."""
@@ -79,6 +81,8 @@ class Variables:
         prefixes = leaf.prefixes
         binding = None if leaf.binding is None else self._binding(leaf, leaf.binding)
         causality = prefixes.causality if top else Causality.LOCAL
+        if prefixes.causality is Causality.INPUT and binding is None and not top:
+            self.inputs.append(leaf.path)
         if binding is None:
             if prefixes.variability is Variability.CONSTANT:
                 raise _constant_without_value(leaf)

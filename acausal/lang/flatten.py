@@ -62,6 +62,7 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         warnings=tuple(translator.warnings),
         whens=streams.resolved(work.whens),
         declared_units=tuple(translator.declared_units.items()),
+        open_inputs=frozenset(path for path in variables.inputs if not sets.joins(path)),
     )
 
 

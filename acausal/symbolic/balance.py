@@ -28,6 +28,8 @@ class Structure:
     unknowns: tuple[Variable, ...]
     incidence: tuple[tuple[Var, ...], ...]
     differentiated: frozenset[Var]
+    open_inputs: frozenset[str] = frozenset()
+    """Inputs of components that nothing is connected to."""
 
 
 def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[Variable, ...]) -> Structure:
@@ -61,7 +63,7 @@ def check_balance(flat: FlatModel, *, as_component: bool = False) -> None:
     """
     rows = [(e, e.left, e.right) for e in flat.equations]
     rows += [(e, e.left, e.left) for when in flat.whens for e in determining_equations(when)]
-    system = structure(rows, determined(flat))
+    system = replace(structure(rows, determined(flat)), open_inputs=flat.open_inputs)
     require_complete(_opened(system) if as_component else system, flat.name)
 
 
@@ -216,6 +218,9 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
                 occurrences[var] += 1
     ordered = sorted(part.variables, key=lambda v: (v in system.differentiated, occurrences[v], v))
     variables = [system.unknowns[v] for v in ordered]
+    forgotten = [v for v in variables if v.name in system.open_inputs]
+    if forgotten:
+        return _unconnected(forgotten, code, counts)
     names = tuple(v.name for v in variables)
     texts = _texts(system, part.equations)
     by = f"only {counted(len(part.equations), 'equation')}: {texts}" if texts else "no equation"
@@ -228,6 +233,27 @@ def _under(system: Structure, part: Part, code: str, counts: str) -> list[Diagno
             Diagnostic(code, message, variable.span, (variable.name,), "it may be the one undetermined")
         )
     return result
+
+
+def _unconnected(inputs: list[Variable], code: str, counts: str) -> list[Diagnostic]:
+    """One diagnostic for each input that was forgotten: these say more than all that depends on them."""
+    names = tuple(v.name for v in inputs)
+    which, them = (f"{len(names)} inputs ({listed(names)}) have", "them")
+    if len(names) == 1:
+        which, them = f"the input `{names[0]}` has", "it"
+    hint = "connect {} to something that sets it, or give it a value"
+    first = Diagnostic(
+        code,
+        f"{counts}: {which} no value, and nothing is connected to {them}",
+        inputs[0].span,
+        names,
+        hint.format(f"`{names[0]}`"),
+    )
+    more = [
+        Diagnostic(code, f"nothing is connected to `{v.name}`", v.span, (v.name,), hint.format(f"`{v.name}`"))
+        for v in inputs[1:SHOWN]
+    ]
+    return [first, *more]
 
 
 def _connectors(system: Structure) -> frozenset[str]:

@@ -263,6 +263,11 @@ package WrongModels "Models that an engineer gets wrong, each in one way; test_w
   equation
     a = 1; b = 2; a = c; c = b;
   end TwoValues;
+  model ForgottenInput
+    DrivenSpeed s; Inertia j;
+  equation
+    connect(s.f, j.a);
+  end ForgottenInput;
   model DrivenSpeed "Takes the speed from outside"
     Flange f; Real phi; input Real w;
   equation

@@ -140,6 +140,12 @@ EXPECTED = {
     "ParameterWithoutValue": ("parameter.no-value", "parameter Real p", "`p` has no value", "p = ..."),
     "RootOfNegative": ("simulate.not-finite", "y = sqrt(x)", "y is not a number at time 0.5", "with x ="),
     "AlwaysAState": ("states.always-impossible", "Real x", "it is constrained by", "use StateSelect.prefer"),
+    "ForgottenInput": (
+        "balance.too-few-equations",
+        "input Real w",
+        "the input `s.w` has no value, and nothing is connected to it",
+        "connect `s.w`",
+    ),
     "TwoValues": (
         "balance.too-many-equations",
         "b = 2",
