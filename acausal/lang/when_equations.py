@@ -86,7 +86,17 @@ def _conditions(translation: Translation, node: ast.Expression, env: Env) -> tup
         message = f"the condition of a `when` is a Boolean or a vector of Booleans, not {describe(value)}"
         hint = "compare it with something"
         raise type_error("type.not-boolean", message, node.span, hint, ex.symbols(value.items))
-    return value.items
+    written = node.items if isinstance(node, ast.ArrayConstructor) and not node.iterators else (node,)
+    if len(written) != len(value.items):
+        return value.items
+    return tuple([_as_written(item, part) for item, part in zip(value.items, written, strict=True)])
+
+
+def _as_written(item: Expr, node: ast.Expression) -> Expr:
+    """`when f(initial())` does not act at initialisation as `when initial()` does, nor later (8.6)."""
+    if item is not _INITIAL or (isinstance(node, ast.Call) and node.function.text.endswith("initial")):
+        return item
+    return FALSE
 
 
 def _phases(conditions: tuple[Expr, ...]) -> Iterator[tuple[tuple[Expr, ...], Expr]]:

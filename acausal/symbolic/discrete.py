@@ -7,7 +7,7 @@ continuous: discrete variables are known in them, because they are constant betw
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from acausal.errors import BalanceProblem, Diagnostic
@@ -21,6 +21,7 @@ from acausal.symbolic.graphs.blt import strong_components
 from acausal.symbolic.graphs.matching import Matcher
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.leaves import is_discrete, is_moving, value_leaves
+from acausal.symbolic.parameters import free_parameters
 from acausal.symbolic.solving import Profiler, Solvability, solve
 from acausal.symbolic.when_clauses import is_momentary
 
@@ -50,8 +51,10 @@ def divide(model: Simplified, profiler: Profiler) -> Divided:
         return Divided(model, (), ())
     chosen = _matched(model, names, profiler)
     definitions = [_definition(model.equations[i], sym(name)) for i, name in sorted(chosen.items())]
-    initial = [e for e in model.initial_equations if discrete_sides(e, names)]
-    kept = [e for e in model.initial_equations if not discrete_sides(e, names)]
+    free = {v.name for v in free_parameters(model.flat)}
+    about = [bool(discrete_sides(e, names)) and not _sets_parameter(e, free) for e in model.initial_equations]
+    initial = [e for e, discrete in zip(model.initial_equations, about, strict=True) if discrete]
+    kept = [e for e, discrete in zip(model.initial_equations, about, strict=True) if not discrete]
     continuous = replace(
         model,
         unknowns=tuple([v for v in model.unknowns if v.name not in names]),
@@ -59,6 +62,11 @@ def divide(model: Simplified, profiler: Profiler) -> Divided:
         initial_equations=tuple(kept),
     )
     return Divided(continuous, tuple(definitions), tuple(initial))
+
+
+def _sets_parameter(equation: CausalEquation, free: Collection[str]) -> bool:
+    """`v = p` with a parameter that has no value yet is about the parameter."""
+    return any(side.op == "sym" and side.name in free for side in (equation.left, equation.right))
 
 
 def discrete_sides(equation: CausalEquation, names: Mapping[str, object]) -> list[tuple[Expr, Expr]]:
