@@ -59,11 +59,13 @@ def _class_in(scope: Scope, reference: ast.ComponentReference, count: int) -> Sc
                 names=[f"{current.path}.{part.name}"],
             )
         current = found
-    if current.kind != "function" or current.definition.class_prefixes.operator:
+    around = current.enclosing
+    in_operator = around is not None and around.kind == "operator"
+    if current.kind != "function" or current.definition.class_prefixes.operator or in_operator:
         raise fail(
             LookupProblem,
             "lookup.not-a-function",
-            f"`{reference.text}` is reached through a component, so it must be a function",
+            f"`{reference.text}` is reached through a component, so it must be a plain function",
             reference.span,
             names=[reference.text],
             hint="other classes are reached through packages only (Modelica 3.6, 5.3.2)",

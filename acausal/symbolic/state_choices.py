@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from acausal.errors import Diagnostic, ReductionProblem
@@ -59,7 +59,10 @@ def integrals(var: Var, integral: Mapping[Var, Var], reduced: Reduced) -> list[E
 
 
 def check_always(reduced: Reduced, states: tuple[Expr, ...], decisions: Mapping[Expr, Decision]) -> None:
-    """A variable with `stateSelect = always` must be a state, or an alias of one; else a typed error."""
+    """A variable with `stateSelect = always` must be a state, or an alias of one; one with `never` must not.
+
+    Raises ReductionProblem `states.always-impossible`, `states.never-impossible` (Modelica 3.6, 4.9.7.1).
+    """
     chosen = {to_text(leaf) for leaf in states}
     members = {a.name: a for a in reduced.model.aliases}
     problems: list[Diagnostic] = []
@@ -74,8 +77,30 @@ def check_always(reduced: Reduced, states: tuple[Expr, ...], decisions: Mapping[
         if alias is not None and alias.value.op != "const" and _is_signed_state(alias.value, chosen):
             continue
         problems.append(_always_impossible(variable, reduced, decisions))
+    problems += [_never_impossible(v) for v in _unwanted(reduced, chosen)]
     if problems:
         raise ReductionProblem(problems)
+
+
+def _unwanted(reduced: Reduced, states: Collection[str]) -> list[Variable]:
+    """States that are not to be states, nor any variable that equals them."""
+    flat = reduced.model.flat
+    found = {v.name: v for v in flat.variables if v.name in states and v.state_select is StateSelect.NEVER}
+    for alias in reduced.model.aliases if found else ():
+        inner = alias.value.args[0] if alias.value.op == "neg" else alias.value
+        if inner.op == "sym" and flat.by_name[alias.name].state_select is not StateSelect.NEVER:
+            found.pop(inner.name, None)
+    return list(found.values())
+
+
+def _never_impossible(variable: Variable) -> Diagnostic:
+    return Diagnostic(
+        "states.never-impossible",
+        f"`{variable.name}` has stateSelect = StateSelect.never, but nothing else can be the state",
+        variable.span,
+        (variable.name,),
+        "use StateSelect.avoid",
+    )
 
 
 def _is_signed_state(value: Expr, states: set[str]) -> bool:

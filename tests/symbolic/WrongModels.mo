@@ -258,6 +258,11 @@ package WrongModels "Models that an engineer gets wrong, each in one way; test_w
   equation
     x = 2 * y; y = time;
   end AlwaysAState;
+  model NeverAState
+    Real x(stateSelect = StateSelect.never), y(stateSelect = StateSelect.never), z;
+  equation
+    der(x) = 1; z = 2 * y; der(z) = der(y) + x;
+  end NeverAState;
   model TwoValues
     Real a, b, c;
   equation

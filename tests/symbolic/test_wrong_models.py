@@ -140,6 +140,12 @@ EXPECTED = {
     "ParameterWithoutValue": ("parameter.no-value", "parameter Real p", "`p` has no value", "p = ..."),
     "RootOfNegative": ("simulate.not-finite", "y = sqrt(x)", "y is not a number at time 0.5", "with x ="),
     "AlwaysAState": ("states.always-impossible", "Real x", "it is constrained by", "use StateSelect.prefer"),
+    "NeverAState": (
+        "states.never-impossible",
+        "x(stateSelect",
+        "`x` has stateSelect = StateSelect.never",
+        "use StateSelect.avoid",
+    ),
     "ForgottenInput": (
         "balance.too-few-equations",
         "input Real w",
