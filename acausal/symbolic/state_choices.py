@@ -83,13 +83,23 @@ def check_always(reduced: Reduced, states: tuple[Expr, ...], decisions: Mapping[
 
 
 def _unwanted(reduced: Reduced, states: Collection[str]) -> list[Variable]:
-    """States that are not to be states, nor any variable that equals them."""
+    """States that are not to be states, nor any variable that equals them: `x` beside `x = der(y)` is none,
+    since the derivative itself is a state then.
+    """
     flat = reduced.model.flat
     found = {v.name: v for v in flat.variables if v.name in states and v.state_select is StateSelect.NEVER}
+    equal: dict[str, str] = {}
     for alias in reduced.model.aliases if found else ():
         inner = alias.value.args[0] if alias.value.op == "neg" else alias.value
-        if inner.op == "sym" and flat.by_name[alias.name].state_select is not StateSelect.NEVER:
-            found.pop(inner.name, None)
+        if inner.op == "sym" and inner.name in found:
+            if flat.by_name[alias.name].state_select is not StateSelect.NEVER:
+                found.pop(inner.name)
+            else:
+                equal[alias.name] = inner.name
+    for equation in flat.equations if found else ():
+        for side, other in ((equation.left, equation.right), (equation.right, equation.left)):
+            if side.op == "sym" and other.op == "der":
+                found.pop(equal.get(side.name, side.name), None)
     return list(found.values())
 
 
