@@ -12,6 +12,7 @@ from acausal.errors import UsageProblem, fail
 from acausal.export.c_export import export_c
 from acausal.export.casadi_model import to_casadi
 from acausal.export.package import package_name
+from acausal.export.support import check_kernels
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,7 @@ def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
 def _export_casadi(target: Target, wish: Wish, *, as_json: bool) -> None:
     compiled = CompiledModel(target.run())
     print_diagnostics(compiled.warnings)
+    check_kernels(compiled.code)
     model = to_casadi(compiled.code, variables=wish.variables, everything=wish.everything)
     name = package_name(wish.name or compiled.name)
     file = wish.output if wish.output is not None else Path(f"{name}.casadi")

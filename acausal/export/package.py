@@ -20,14 +20,14 @@ from acausal.export.support import no_c
 from acausal.export.tables import plan_text
 from acausal.runtime import build
 
-_HOST = ("acausal_host.h", "attach.c", "dense.c", "newton.c", "point.c", "run.c", "schedule.c", "settle.c",
-         "start.c", "walk.c")  # fmt: skip
+_UNITS = ("attach", "delay", "dense", "newton", "point", "run", "schedule", "settle", "start", "walk")
+_HOST = ("acausal_host.h", *(f"{unit}.c" for unit in _UNITS))
 _PROGRAM = ("csv.h", "csv.c", "main.c")
 
 _TAKEN = frozenset(
-    "main csv makefile readme runtime assert complex ctype errno fenv float inttypes iso646 limits locale "
-    "math setjmp signal stdarg stdbool stddef stdint stdio stdlib string tgmath time wchar wctype auto break "
-    "case char const continue default do double else enum extern for goto if inline int long register "
+    "main csv clean makefile readme runtime assert complex ctype errno fenv float inttypes iso646 limits "
+    "locale math setjmp signal stdarg stdbool stddef stdint stdio stdlib string tgmath time wchar wctype auto "
+    "break case char const continue default do double else enum extern for goto if inline int long register "
     "restrict return short signed sizeof static struct switch typedef union unsigned void volatile "
     "while".split()
 )

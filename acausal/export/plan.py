@@ -22,6 +22,8 @@ from acausal.simulate.options import Options
 from acausal.symbolic.causal import BlockKind
 from acausal.symbolic.expressions.expr import Expr, der, sym
 
+MOST_PAST = 4096
+"""Samples of the past; a run that needs more of them says so."""
 NUMBERS_PER_BLOCK = 10
 """`n (10 n + 17)` numbers of scratch for a block of n unknowns (acausal_host: walk.c)."""
 
@@ -75,6 +77,7 @@ class Plan:
             "update": discrete.update,
             "memory_of": discrete.memory,
             "actions": discrete.actions,
+            "delayed": discrete.delayed,
             "start_discrete": discrete.start,
             "parameters_of": code.parameters,
             "starts_of": code.starts,
@@ -167,6 +170,11 @@ class Plan:
         return size * (size + 1) // 2 + size
 
     @property
+    def past(self) -> int:
+        """Samples of delayed expressions that a run keeps at most."""
+        return MOST_PAST if self.code.system.delays else 0
+
+    @property
     def segments(self) -> tuple[SegmentPlan, ...]:
         return (*self.initial.segments, *self.dynamic.segments)
 
@@ -197,7 +205,7 @@ class Plan:
         functions = list(self.everything.values())
         return (
             max([8, *(f.sz_arg() for f in functions)]),
-            max([2, *(f.sz_res() for f in functions)]),
+            max([3, *(f.sz_res() for f in functions)]),
             max([0, *(f.sz_iw() for f in functions)]) + 1,
             max([0, *(f.sz_w() for f in functions)]) + 1,
         )
@@ -268,9 +276,10 @@ def numbers_of(plan: Plan) -> int:
     vectors: Sequence[int] = [
         *[parameters] * 3, inputs, modes, frozen, *[starts] * 3, states + guesses, slots, *[plan.widest] * 2,
         plan.largest * (NUMBERS_PER_BLOCK * plan.largest + 17), *[states] * 3, modes,
-        states + len(system.delays), modes, modes, frozen, modes, frozen, modes, frozen, modes, frozen,
+        states, modes, modes, frozen, modes, frozen, modes, frozen, modes, frozen,
         *[frozen] * 3, *[located] * 3, 2 * states + guesses, *[modes] * 2, outputs, fired, *[samples] * 3,
         len(system.zero_crossings) - located,
+        plan.past, plan.past * 5 * len(system.delays), 6 * len(system.delays), states if system.delays else 0,
     ]  # fmt: skip
     model = 1 + 3 * states + 2 * guesses + code.pattern.nnz() + 2 * modes + outputs + asserted
     return sum(vectors) + len(vectors) + model + plan.sizes()[3]

@@ -18,7 +18,15 @@ LARGEST = 300
 
 def check_c(code: Code) -> None:
     """Raises `UnsupportedProblem` for every construct that has no C."""
-    problems = [*_kernels(code.system), *_states(code.system), *_delays(code.system), *_large(code)]
+    check_kernels(code)
+    problems = [*_states(code.system), *_large(code)]
+    if problems:
+        raise UnsupportedProblem(problems)
+
+
+def check_kernels(code: Code) -> None:
+    """Raises `UnsupportedProblem` for functions that are evaluated in Python."""
+    problems = list(_kernels(code.system))
     if problems:
         raise UnsupportedProblem(problems)
 
@@ -60,7 +68,7 @@ def _kernels(system: CausalSystem) -> Iterator[Diagnostic]:
             if node.kernel.result == "String" or node.kernel.key in seen:
                 continue
             seen.add(node.kernel.key)
-            message = f"`{node.kernel.name}` is evaluated in Python and has no C"
+            message = f"`{node.kernel.name}` is evaluated in Python and cannot be exported"
             hint = "replace the function by equations, or run the model inside Python"
             yield Diagnostic("export.kernel", message, span, (node.kernel.name,), hint)
 
@@ -75,20 +83,6 @@ def _states(system: CausalSystem) -> Iterator[Diagnostic]:
     )
     hint = "write the model in coordinates that are good everywhere, or fix the choice with stateSelect"
     yield Diagnostic("export.dynamic-states", message, monitor.constraints[0].flat.span, names, hint)
-
-
-def _delays(system: CausalSystem) -> Iterator[Diagnostic]:
-    for node in system.delays[:1]:
-        span = _place_of(node, system)
-        hint = "replace the delay by a first-order lag or a line of volumes"
-        yield Diagnostic("export.delay", "`delay` cannot be exported", span, (), hint)
-
-
-def _place_of(node: Expr, system: CausalSystem) -> Span:
-    for span, roots in _sides(system):
-        if node in postorder(roots):
-            return span
-    return system.flat.span
 
 
 def _large(code: Code) -> Iterator[Diagnostic]:

@@ -96,6 +96,7 @@ def _counts(plan: Plan) -> Iterator[_Field]:
         ("tunables", len(plan.tunables)),
         ("exact_rate", plan.exact_rate),
         ("takes_solution", int(plan.takes_solution)),
+        ("past", plan.past),
         ("largest", plan.largest),
         ("widest", plan.widest),
     )
@@ -178,6 +179,7 @@ def _texts(plan: Plan, tables: Tables) -> Iterator[_Field]:
         "parameter_name": system.parameters,
         "parameter_place": [place_text(by_name[name].span) for name in system.parameters],
         "redundant_text": [_check_text(check) for check in system.initial.checks],
+        "delay_name": [cut(to_text(node)) for node in system.delays],
         "sample_name": [cut(to_text(leaf)) for leaf in part.samples],
     }
     for name, values in texts.items():

@@ -69,6 +69,7 @@ typedef struct {
     const int *free_p;         /* parameters that the initial problem determines */
     const int *dynamic_xdot, *dynamic_z;
     const int *redundant_read;
+    int past;                  /* samples of delayed expressions that are kept at most */
     int redundant_reads, largest, widest; /* of all segments: tearing variables, reads and writes */
     ac_entry ode, jac, derivative, events, scales, output, conditions; /* (t, x, p, m, u, d, z) -> ... */
     ac_entry robust;           /* as `ode`, where that gives no numbers, or null */
@@ -82,6 +83,7 @@ typedef struct {
     const ac_notice *assertion, *check, *stop, *crossing; /* crossing: the relation's text */
     const char *const *discrete_name, *const *discrete_place, *const *memory_name;
     const char *const *parameter_name, *const *parameter_place, *const *redundant_text, *const *sample_name;
+    const char *const *delay_name;
     const int *parameter_needed; /* whether it must be a finite number */
     const ac_tunable *tunable;
     int method, locate;
@@ -103,6 +105,7 @@ typedef struct {
     double (*clock)(void);     /* seconds, or null */
     /* Takes a row of outputs; `owner` is passed on. Not zero: stop. */
     int (*row)(void *owner, double time, const double *values);
+    void (*warn)(void *owner, double time, const ac_notice *notice); /* the first time that it is so; or null */
     void *owner;
 } ac_settings;
 
@@ -129,6 +132,8 @@ typedef struct {
     int anchored, undecided, recorded;
     double event_time, recorded_time;
     double *sample_start, *sample_interval, *sample_count, *instants;
+    double *past_time, *past_samples, *past_now, *past_x;
+    int past_first, past_count;
     double *step_numbers, *factor_numbers;
     int *step_ints, *factor_ints;
     double recent[AC_ZENO];
@@ -179,6 +184,10 @@ double ac_upcoming(ac_run *r, double time);
 int ac_due(ac_run *r, double time, double *due);
 int ac_is_reached(double time, double instant);
 double ac_kink(const ac_run *r, double time);
+void ac_past_fill(ac_run *r, double time);
+void ac_delayed(ac_run *r, double *results);
+double ac_piece(const ac_run *r, double time);
+int ac_keep_past(ac_run *r, double ahead);
 int ac_record(ac_run *r, double time, const double *x);
 double ac_weight(int i);
 int ac_dense_solve(const double *matrix, int n, const double *right, double *solution, double *memory, int *pivots);

@@ -130,7 +130,7 @@ static void vectors(ac_run *r, ac_pool *pool)
                {&r->before_x, plan->states},
                {&r->event_x, plan->states},
                {&r->event_roots, plan->modes},
-               {&r->later, plan->states + plan->delays},
+               {&r->later, plan->states},
                {&r->wanted, plan->modes},
                {&r->start_m, plan->modes},
                {&r->start_d, frozen},
@@ -154,7 +154,11 @@ static void vectors(ac_run *r, ac_pool *pool)
                {&r->sample_start, plan->samples},
                {&r->sample_interval, plan->samples},
                {&r->sample_count, plan->samples},
-               {&r->instants, plan->instants}};
+               {&r->instants, plan->instants},
+               {&r->past_time, plan->past},
+               {&r->past_samples, plan->past * 5 * plan->delays},
+               {&r->past_now, 6 * plan->delays},
+               {&r->past_x, plan->delays > 0 ? plan->states : 0}};
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         *all[i].vector = numbers(pool, all[i].count + 1);
     }

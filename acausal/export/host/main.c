@@ -59,6 +59,13 @@ static int row(void *owner, double time, const double *values)
     return problem | (fputc('\n', c->rows) == EOF);
 }
 
+static void warn(void *owner, double time, const ac_notice *notice)
+{
+    const course *c = owner;
+    (void)fprintf(stderr, "variant %ld: warning: %s (first at time %.12g s; %s)\n", c->variant, notice->text, time,
+                  notice->place);
+}
+
 static void header(FILE *file, const char *first)
 {
     (void)fputs(first, file);
@@ -100,6 +107,9 @@ static int ran(const request *q, course *c, FILE *results, const double *values,
         (void)fprintf(stderr, "variant %ld: %s\n", c->variant, r->message);
     } else {
         (void)fprintf(results, "%s,%.17g", code == AC_ENDED ? "ended" : "ok", c->time);
+        if (code == AC_ENDED) {
+            (void)fprintf(stderr, "variant %ld: ended: %s\n", c->variant, r->message);
+        }
     }
     for (int i = 0; i < MODEL_OUTPUTS; i++) {
         if (code < 0) {
@@ -196,7 +206,8 @@ static int constant(request *q, const char *text)
 {
     const char *equals = strrchr(text, '=');
     int i = equals != NULL ? input_of(text, (size_t)(equals - text)) : -1;
-    if (i < 0 || !csv_number(equals + 1, &q->given[i].constant)) {
+    if (i < 0 || !csv_number(equals + 1, &q->given[i].constant) ||
+        !isfinite(q->given[i].constant)) {
         return complain("this is no INPUT=VALUE of the model:", text);
     }
     q->given[i].given = 1;
@@ -229,7 +240,8 @@ static int samples(request *q, FILE *file, int which[], int width, int most)
         char *rest = line;
         for (int k = 0; k <= width; k++) {
             char *text = csv_field(&rest);
-            fine = fine && text != NULL && csv_number(text, memory + k * most + count);
+            double *to = memory + k * most + count;
+            fine = fine && text != NULL && csv_number(text, to) && isfinite(*to);
         }
         fine = fine && (count == 0 || memory[count] > memory[count - 1]);
         count++;
@@ -363,6 +375,7 @@ int main(int count, char *words[])
     ac_defaults(&MODEL_plan, &q.settings);
     q.settings.clock = ac_clock;
     q.settings.row = row;
+    q.settings.warn = warn;
     q.settings.owner = &c;
     int code = asked(&q, count, words);
     if (code != 0) {
@@ -383,7 +396,7 @@ int main(int count, char *words[])
     if (failed < 0 || unwritten) {
         return unwritten ? complain("cannot write all results", "") : 2;
     }
-    (void)fprintf(stderr, "%ld variants, %ld failed; real-time factor %.3g; worst step %.3g s\n", c.variant, failed,
+    (void)fprintf(q.results != NULL ? stdout : stderr, "%ld variants, %ld failed; real-time factor %.3g; worst step %.3g s\n", c.variant, failed,
                   c.variant > 0 ? factor_sum / (double)c.variant : 0.0, longest);
     return failed > 0;
 }

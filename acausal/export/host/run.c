@@ -28,6 +28,16 @@ void ac_defaults(const ac_plan *plan, ac_settings *settings)
     settings->max_steps = 1000000000000;
 }
 
+/* A condition that should hold does not; the first time this is passed on. */
+static void warned(ac_run *r, int i, double time, const ac_notice *notice)
+{
+    if (!r->warned[i] && r->settings.warn != NULL) {
+        r->settings.warn(r->settings.owner, time, notice);
+    }
+    r->warnings += !r->warned[i];
+    r->warned[i] = 1;
+}
+
 /* Evaluates the outputs, looks at assertions and hands the row over. */
 int ac_record(ac_run *r, double time, const double *x)
 {
@@ -67,8 +77,7 @@ int ac_record(ac_run *r, double time, const double *x)
         if (!notice->warning) {
             return ac_say(r, AC_FAILED, "%s (at time %.12g s; %s)", notice->text, time, notice->place);
         }
-        r->warnings += !r->warned[i];
-        r->warned[i] = 1;
+        warned(r, i, time, notice);
     }
     return 0;
 }
@@ -76,6 +85,10 @@ int ac_record(ac_run *r, double time, const double *x)
 /* Begins the integrator at the present point. */
 static int restarted(ac_run *r)
 {
+    ac_at(r, r->time, r->x);
+    if (ac_keep_past(r, r->ahead) != 0) {
+        return AC_FAILED;
+    }
     r->next = ac_upcoming(r, r->time);
     ac_at(r, r->time, r->x);
     ac_hold(r, HELD * r->ahead);
@@ -96,8 +109,7 @@ static int met(ac_run *r)
         if (!notice->warning) {
             return ac_say(r, AC_FAILED, "%s (at time %.12g s; %s)", notice->text, r->time, notice->place);
         }
-        r->warnings += !r->warned[plan->assertions + i];
-        r->warned[plan->assertions + i] = 1;
+        warned(r, plan->assertions + i, r->time, notice);
     }
     for (int i = 0; i < plan->stops && !r->ended; i++) {
         if (r->fired[plan->checks + i] != 0.0) {
@@ -181,6 +193,9 @@ static int happened(ac_run *r, const int *crossed)
         }
     }
     ac_at(r, r->time, r->x);
+    if (ac_keep_past(r, r->ahead) != 0) {
+        return AC_FAILED;
+    }
     ac_remember(r);
     int due = ac_due(r, r->time, r->d + plan->unknowns + plan->memory);
     r->model.settled = 0;
@@ -198,6 +213,9 @@ static int happened(ac_run *r, const int *crossed)
 static void fill(void *owner, double time)
 {
     ac_run *r = owner;
+    if (r->plan->delays > 0) {
+        ac_past_fill(r, time);
+    }
     for (int i = 0; i < r->plan->inputs; i++) {
         const ac_series *s = &r->input[i];
         if (s->count < 2) {
@@ -225,7 +243,7 @@ static void begun(ac_run *r)
     ac_solver *s = &r->solver;
     ac_model *m = &r->model;
     double largest = fmax(fabs(settings->start_time), fabs(settings->stop_time));
-    int moving = 0;
+    int moving = r->plan->delays > 0;
     for (int i = 0; i < r->plan->inputs; i++) {
         moving |= r->input[i].count > 1;
     }
@@ -246,6 +264,7 @@ static void begun(ac_run *r)
     s->index = 0;
     s->lu.factored = 0;
     r->ahead = AHEAD * (settings->stop_time > settings->start_time ? settings->stop_time - settings->start_time : 1.0);
+    r->past_first = r->past_count = 0;
     r->stops_seen = r->events = r->warnings = 0;
     r->ended = r->recorded = r->anchored = r->undecided = 0;
     r->longest = 0.0;
@@ -271,6 +290,7 @@ int ac_start(ac_run *r, const ac_settings *settings)
     code = ac_schedule(r, r->time);
     ac_at(r, r->time, r->x);
     code = code == 0 ? ac_settled(r) : code;
+    code = code == 0 ? ac_keep_past(r, r->ahead) : code;
     if (code != 0) {
         return code;
     }
@@ -357,7 +377,12 @@ static int stepped(ac_run *r, double target, double limit, ac_long *i)
     if (ac_is_reached(r->time, r->next)) {
         return happened(r, NULL);
     }
+    ac_at(r, r->time, r->x);
+    int code = ac_keep_past(r, r->ahead);
     *i += limit >= target;
+    if (code != 0) {
+        return code;
+    }
     return limit >= target && !(r->recorded && r->recorded_time == target) ? ac_record(r, target, r->x) : 0;
 }
 
@@ -384,12 +409,12 @@ static int swept(ac_run *r, ac_long *i, ac_long count)
     const ac_plan *plan = r->plan;
     ac_solver *s = &r->solver;
     double target = output_time(&r->settings, *i, count);
-    double until = fmin(r->settings.stop_time, r->next);
-    double end = fmin(until, ac_kink(r, r->time));
+    double until = fmin(fmin(r->settings.stop_time, r->next), ac_piece(r, r->time));
     int rows = 0;
     if (plan->states == 0 && plan->located == 0) {
-        return stepped(r, target, fmin(target, end), i);
+        return stepped(r, target, fmin(target, until), i);
     }
+    double end = fmin(until, ac_kink(r, s->t));
     int code = ac_sweep(s, &target, target <= end ? 1 : 0, end, BUDGET, r->row, &rows);
     if (code < 0 && code != AC_ROW_NOT_FINITE) {
         return failed(r, code);
@@ -400,6 +425,9 @@ static int swept(ac_run *r, ac_long *i, ac_long count)
     if (problem != 0 || (code != AC_REACHED && code != AC_EVENT)) {
         return problem;
     }
+    if (code != AC_EVENT && s->t < until) {
+        return 0; /* a kink of an input */
+    }
     memcpy(r->x, s->x, bytes(plan->states));
     r->time = s->t;
     if (code == AC_EVENT) {
@@ -408,7 +436,11 @@ static int swept(ac_run *r, ac_long *i, ac_long count)
         r->longest = s->clock != NULL ? fmax(r->longest, s->clock() - left + s->latest) : 0.0;
         return problem;
     }
-    return r->time >= until && ac_is_reached(r->time, r->next) ? happened(r, NULL) : 0;
+    if (ac_is_reached(r->time, r->next)) {
+        return happened(r, NULL);
+    }
+    ac_at(r, r->time, r->x);
+    return ac_keep_past(r, r->ahead);
 }
 
 int ac_go(ac_run *r)

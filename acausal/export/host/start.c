@@ -125,10 +125,10 @@ static int solve(ac_run *r)
         }
         double *delayed = r->u + plan->inputs;
         int agree = 1;
-        (void)ac_point(r, plan->delayed, r->later);
+        ac_delayed(r, r->past_now);
         for (int i = 0; i < plan->delays; i++) {
-            agree = agree && fabs(delayed[i] - r->later[i]) <= 1e-12 * fabs(r->later[i]);
-            delayed[i] = r->later[i];
+            agree = agree && fabs(delayed[i] - r->past_now[i]) <= 1e-12 * fabs(r->past_now[i]);
+            delayed[i] = r->past_now[i];
         }
         if (agree) {
             return 0;
