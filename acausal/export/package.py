@@ -25,12 +25,13 @@ _HOST = ("acausal_host.h", *(f"{unit}.c" for unit in _UNITS))
 _PROGRAM = ("csv.h", "csv.c", "main.c")
 
 _TAKEN = frozenset(
-    "main csv clean makefile readme runtime assert complex ctype errno fenv float inttypes iso646 limits "
-    "locale math setjmp signal stdarg stdbool stddef stdint stdio stdlib string tgmath time wchar wctype auto "
-    "break case char const continue default do double else enum extern for goto if inline int long register "
-    "restrict return short signed sizeof static struct switch typedef union unsigned void volatile "
-    "while".split()
+    "main csv clean makefile readme runtime assert complex ctype errno fenv float inttypes iso646 "
+    "limits locale math setjmp signal stdarg stdbool stddef stdint stdio stdlib string tgmath time "
+    "wchar wctype auto break case char const continue default do double else enum extern for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch typedef union "
+    "unsigned void volatile while".split()
 )
+"""Names of files that C or the package has, and C's own words."""
 
 
 @cache
