@@ -1,24 +1,118 @@
-"""Step responses of valves against the independent implementation of their equations."""
+"""Step responses of every valve at level 1 against the independent implementation of their equations."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+import pytest
 
 import acausal
 from tests.models import reference_main_regulator as regulator
 from tests.models import reference_valves as reference
+from tests.models.reference_valves import P_0
+
+STAGE = "valve.stage."
+SPOOL = STAGE + "valve.spool."
 
 
-def test_linear_solenoid_follows_the_hand_written_equations() -> None:
-    """Step to 0.6 A: the spool meets its upper stop, then regulates."""
-    model = acausal.load("TenSpeed.Benches.LinearSolenoidL1")
-    compiled = model.compile({"command.times": "{0.01, 1}", "command.values": "{0, 0.6, 0.6}"})
-    _, expected = reference.solve_solenoid(reference.SOLENOID, (0.01, 0.02, 0.6), stop_time=0.1, points=201)
-    result = compiled.simulate(rtol=1e-8, stop_time=0.1, interval=0.0005)
-    names = ("i", "s", "valve.stage.valve.spool.v", "valve.stage.feedback.chamber.p", "p_out")
-    for variable, values in zip(names, expected, strict=True):
-        found = result.values(variable)
-        assert np.allclose(found, values, rtol=0, atol=2e-5 * float(np.max(np.abs(values)))), variable
+@dataclass(frozen=True)
+class Case:
+    """A step on a bench: the reference's states at the start, by name, and the variables they are."""
+
+    bench: str
+    changes: dict[str, str | float]
+    model: reference.Model
+    start: dict[str, float]
+    variables: tuple[str, ...]
+    stop: float
+
+
+def spool(par: regulator.Parameters, *pressures: str) -> dict[str, float]:
+    """Spool and pressures at rest."""
+    return {"s": reference.rest(par), "v": 0.0, **dict.fromkeys(pressures, P_0)}
+
+
+def step(first: float, last: float) -> dict[str, str | float]:
+    """Command from `first` to `last` within 20 ms, from 10 ms on."""
+    values = f"{{{first}, {last}}}"
+    return {"command.times": "{0.01}", "command.values": values, "command.duration": 0.02}
+
+
+CASES = (
+    Case(
+        "LinearSolenoidL1",
+        step(0, 0.6),
+        reference.linear_solenoid(reference.LINEAR_SOLENOID, (0.01, 0.02, 0.0, 0.6)),
+        {"i": 0.0, **spool(reference.LINEAR_SOLENOID, "p_fb", "p")},
+        ("i", "s", SPOOL + "v", STAGE + "feedback.chamber.p", "p_out"),
+        0.1,
+    ),
+    Case(
+        "ShiftSolenoidL1",
+        step(0, 1),
+        reference.shift_solenoid(reference.SHIFT_SOLENOID, (0.01, 0.02, 0.0, 1.0)),
+        {"i": 0.0, **spool(reference.SHIFT_SOLENOID, "p")},
+        ("i", "s", SPOOL + "v", "p_out"),
+        0.06,
+    ),
+    Case(
+        "LockupControlL1",
+        step(P_0, 4e5),
+        reference.lockup_control(reference.LOCKUP_CONTROL, (0.01, 0.02, P_0, 4e5)),
+        spool(reference.LOCKUP_CONTROL, "p", "p_fb", "p_cmd"),
+        ("s", SPOOL + "v", "p_out", STAGE + "feedback1.chamber.p", STAGE + "feedback2.chamber.p"),
+        0.1,
+    ),
+    Case(
+        "SwitchValveL1",
+        step(P_0, 8e5),
+        reference.switch_valve(reference.SWITCH_VALVE, (0.01, 0.02, P_0, 8e5)),
+        spool(reference.SWITCH_VALVE, "p"),
+        ("s", SPOOL + "v", "p_out"),
+        0.06,
+    ),
+    Case(
+        "ConverterRegulatorL1",
+        {"supply.startTime": 0.1, "supply.duration": 0.01},
+        reference.converter_regulator(reference.CONVERTER_REGULATOR, (0.1, 0.01, 5 / 6e4, 20 / 6e4)),
+        spool(reference.CONVERTER_REGULATOR, "p", "p_1", "p_2"),
+        ("s", SPOOL + "v", "p_out", STAGE + "feedback1.chamber.p", STAGE + "feedback2.chamber.p"),
+        0.14,
+    ),
+    Case(
+        "LineAccumulatorL1",
+        {"supply.startTime": 0.01, "supply.duration": 0.05},
+        reference.accumulator(reference.ACCUMULATOR, (0.01, 0.05, P_0, 12e5)),
+        spool(reference.ACCUMULATOR, "p"),
+        ("s", STAGE + "piston.v", STAGE + "chamber.chamber.p"),
+        0.2,
+    ),
+    Case(
+        "TwoWayClutchValveL1",
+        {"drive.times": "{0.01}", "drive.values": f"{{{P_0}, 9e5}}", "drive.duration": 0.01},
+        reference.two_way_clutch(reference.TWO_WAY_CLUTCH, (0.01, 0.01, P_0, 9e5)),
+        {**spool(reference.TWO_WAY_CLUTCH, "p_d", "p_r"), "z": -15 / 1e6},
+        (
+            "s",
+            STAGE + "spool.v",
+            STAGE + "driveChamber[1].chamber.p",
+            STAGE + "reverseChamber[2].chamber.p",
+            STAGE + "detent[1].y",
+        ),
+        0.05,
+    ),
+)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.bench)
+def test_step_response(case: Case) -> None:
+    expected = reference.solve(case.model, case.start, case.stop, 201)
+    compiled = acausal.load(f"TenSpeed.Benches.{case.bench}").compile(case.changes)
+    result = compiled.simulate(rtol=1e-8, stop_time=case.stop, interval=case.stop / 200)
+    for variable, values in zip(case.variables, expected.values(), strict=True):
+        error = float(np.max(np.abs(result.values(variable) - values)))
+        assert error <= 1e-4 * float(np.max(np.abs(values))), (variable, error)
 
 
 MAIN = {

@@ -11,8 +11,8 @@ equation
   dp = port_a.p - port_b.p;
   rho = Media.density((port_a.p + port_b.p)/2, fluid);
   // Conservation of mass, with the density of each port
-  Media.density(port_a.p, fluid)*port_a.q = m_flow;
-  Media.density(port_b.p, fluid)*port_b.q = -m_flow;
+  port_a.q = m_flow/Media.density(port_a.p, fluid);
+  port_b.q = -m_flow/Media.density(port_b.p, fluid);
   annotation(Documentation(info = "<html>
 <p>rho_a q_a = m_flow = -rho_b q_b. The extending model gives the law m_flow(dp, rho).</p>
 </html>"));

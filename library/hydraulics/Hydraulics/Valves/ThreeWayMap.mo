@@ -11,8 +11,8 @@ equation
   outlet.p = w*supply.p + (1 - w)*drain.p;
   // Conservation of mass, shared by the weight
   m_flow = -Media.density(outlet.p, fluid)*outlet.q;
-  Media.density(supply.p, fluid)*supply.q = w*m_flow;
-  Media.density(drain.p, fluid)*drain.q = (1 - w)*m_flow;
+  supply.q = w*m_flow/Media.density(supply.p, fluid);
+  drain.q = (1 - w)*m_flow/Media.density(drain.p, fluid);
   annotation(Documentation(info = "<html>
 <p>p_outlet = w p_supply + (1 - w) p_drain. What leaves the outlet comes from supply and drain in the ratio of the
 weights, so mass is conserved and, but for the change of density, power too. No state and no restriction: it stands in

@@ -8,7 +8,7 @@ model Detent "Spring-loaded roller on the cam of a spool: a hump between two res
   parameter Mechanics.Units.TranslationalSpringConstant c_contact "Stiffness of roller and cam";
   Mechanics.Translational.Interfaces.Flange flange "Spool";
   Mechanics.Units.Length h "Height of the cam under the roller";
-  Mechanics.Units.Length y(start = 0, nominal = 1e-3) "Compression of the spring";
+  Mechanics.Units.Length y(start = -F_preload/c_contact, nominal = 1e-3) "Compression of the spring";
   Mechanics.Units.Force N(start = 0) "Force between roller and cam";
   Mechanics.Units.Force f "Force on the spool, towards positive position";
 protected
