@@ -18,7 +18,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from numpy.typing import ArrayLike, NDArray
 
 from acausal.analysis.bode import Bode
-from acausal.analysis.words import value_text
+from acausal.analysis.words import value_text, when
 from acausal.plotting import COLOURS, STYLES, NotebookFigure, plain, write_figure
 
 if TYPE_CHECKING:
@@ -59,8 +59,8 @@ def draw_plane(
 
 
 def title_of(snapshot: Snapshot) -> str:
-    """`Model, steady` or `Model, 0.5 s`."""
-    return plain(f"{snapshot.model}, {snapshot.at or f'{snapshot.time:g} s'}")
+    """`Model, initial` or `Model, 0.5 s`."""
+    return plain(f"{snapshot.model}, {when(snapshot)}")
 
 
 def scatter_roots(axes: Axes, roots: NDArray[np.complex128], i: int, label: str) -> None:

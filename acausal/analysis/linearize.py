@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from math import inf
+from typing import TypeAlias
 
 from acausal.analysis.linear import state_matrix
 from acausal.analysis.modes import modes
@@ -23,7 +24,9 @@ from acausal.simulate.overrides import Override
 from acausal.simulate.solvers import AUTO, chosen
 from acausal.symbolic.expressions.text import to_text
 
-At: TypeAlias = "float | Literal['initial', 'steady']"
+At: TypeAlias = float | str
+"""Seconds, `initial`, `steady`, or `steady@SECONDS`: the steady state near an instant of a run, whose time,
+sources and modes it begins with."""
 
 
 @dataclass(frozen=True)
@@ -60,12 +63,9 @@ def snapshots(code: Code, at: Sequence[At], setting: Setting | None = None) -> t
     `linearize.at` for what is no instant of a run.
     """
     began = code.system.flat.experiment.start_time or 0.0
-    instants = [_instant(one, began) for one in at]
-    points = points_at(code, sorted(set(instants)), setting or Setting())
-    return tuple(
-        snapshot_at(points[instant], "steady" if one == "steady" else "initial" if one == "initial" else "")
-        for one, instant in zip(at, instants, strict=True)
-    )
+    wanted = [parsed(one, began) for one in at]
+    points = points_at(code, sorted({time for time, _ in wanted}), setting or Setting())
+    return tuple(snapshot_at(points[time], how) for time, how in wanted)
 
 
 def points_at(code: Code, instants: Sequence[float], setting: Setting) -> dict[float, Point]:
@@ -86,14 +86,19 @@ def points_at(code: Code, instants: Sequence[float], setting: Setting) -> dict[f
     return dict(zip(instants, points_of_run(start, options, instants), strict=True))
 
 
-def _instant(at: At, began: float) -> float:
-    """When the snapshot is taken. Raises UsageProblem `linearize.at` for what is no instant of a run."""
-    if isinstance(at, str):
-        if at in ("initial", "steady"):
-            return began
-    elif began <= at < float("inf"):
-        return float(at)
-    hint = f"give `initial`, `steady`, or seconds from {began:g} on"
+def parsed(at: At, began: float) -> tuple[float, str]:
+    """When a snapshot is taken, and whether `initial` or `steady`.
+
+    Raises UsageProblem `linearize.at` for what is no instant of a run.
+    """
+    how, _, text = at.partition("@") if isinstance(at, str) else ("", "", "")
+    try:
+        time = began if at in ("initial", "steady") else float(text if how == "steady" else at)
+    except ValueError:
+        time = inf
+    if began <= time < inf:
+        return time, how
+    hint = f"give `initial`, `steady`, seconds from {began:g} on, or `steady@` and seconds"
     raise fail(UsageProblem, "linearize.at", f"`{at}` is no instant of a run", hint=hint)
 
 

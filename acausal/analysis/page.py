@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from acausal.analysis.modes import Mode
-from acausal.analysis.words import value_text
+from acausal.analysis.words import value_text, when
 
 if TYPE_CHECKING:
     from acausal.analysis.snapshot import Snapshot
@@ -142,11 +142,10 @@ def fragment(snapshot: Snapshot) -> str:
     from acausal.analysis.drawing import draw_plane  # Matplotlib takes half a second to import
 
     rest = "at rest" if snapshot.is_equilibrium else "not at rest"
-    where = snapshot.at or f"{snapshot.time:g} s"
     warnings = "".join(f"<p>⚠ {escape(text)}</p>" for text in snapshot.warnings)
     image = b64encode(draw_plane([snapshot]).as_png(80)).decode()
     return (
-        f'<div class="acausal"><h3>{escape(snapshot.model)}, {escape(where)}: {rest}</h3>{warnings}'
+        f'<div class="acausal"><h3>{escape(snapshot.model)}, {escape(when(snapshot))}: {rest}</h3>{warnings}'
         f'<img alt="eigenvalues in the complex plane" src="data:image/png;base64,{image}">'
         f"{_table(snapshot, None, _ROWS)}</div>"
     )

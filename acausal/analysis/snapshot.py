@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 Matrix = NDArray[np.float64]
 _STEADY = 1e-6
 """Largest derivative of a state at rest, relative to its nominal value per second."""
+_NOISE = 1e-14
+"""Rounding of large values, such as angles after many turns, relative: it moves stiff states a little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,8 +99,9 @@ class Snapshot:
     def moving(self) -> tuple[str, ...]:
         """The states that are not at rest, the worst first."""
         sizes = np.abs(self.residual / self.nominals)
+        noise = _NOISE * (np.abs(self.a) @ np.abs(self.values)) / self.nominals
         order: list[int] = np.argsort(-sizes, kind="stable").tolist()
-        return tuple(self.states[i] for i in order if sizes[i] > _STEADY)
+        return tuple(self.states[i] for i in order if sizes[i] > _STEADY + noise[i])
 
     @property
     def is_equilibrium(self) -> bool:

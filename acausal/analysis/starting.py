@@ -157,7 +157,7 @@ def _agree(code: Code, known: Mapping[str, Vector], modes: Vector) -> NDArray[np
     """Which variants have the modes that were taken for them."""
     ops = operators(code.system)
     if not ops:
-        return np.ones(known["p"].shape[1], dtype=np.bool_)
+        return np.full(len(known["t"][0]), True)
     roots, sizes = (_mapped(function, known)[0] for function in (code.events, code.sizes))
     clear: NDArray[np.bool_] = np.abs(roots) > _ROUNDING * sizes
     wanted: Vector = np.array([literal_modes(ops, column) for column in roots.T], dtype=np.float64).T

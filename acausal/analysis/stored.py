@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,8 +90,11 @@ class _Table:
     def _row(self, at: At) -> tuple[int, float]:
         """The last row that is not after the instant, and the instant."""
         first, last = float(self.time[0]), float(self.time[-1])
-        instant = first if at == "initial" else at
-        if isinstance(instant, str) or not first <= instant <= last:
+        try:
+            instant = first if at == "initial" else float(at)
+        except ValueError:
+            instant = inf
+        if not first <= instant <= last:
             hint = f"give `initial`, or seconds from {first:g} to {last:g}"
             raise fail(UsageProblem, "stored.instant", f"the result has no instant `{at}`", hint=hint)
         near = self.time[np.abs(self.time - instant) <= 1e-12 * max(abs(instant), 1e-300)]

@@ -72,6 +72,13 @@ def value_text(value: complex) -> str:
     return f"{value.real:.4g} ± {abs(value.imag):.4g}i"
 
 
+def when(snapshot: Snapshot) -> str:
+    """`initial`, `0.5 s`, or `steady, 0.5 s`."""
+    if snapshot.at == "initial":
+        return "initial"
+    return f"{'steady, ' if snapshot.at else ''}{snapshot.time:g} s"
+
+
 def label(mode: Mode, states: Sequence[str]) -> str:
     """What a mode is and whose: `rigid body of a.phi, a.w`."""
     return f"{mode.kind}: {', '.join(mode.leading(states))}"

@@ -62,9 +62,12 @@ def zeros_of(a: Matrix) -> Zeros:
 def _chain(a: Matrix) -> tuple[Matrix, int]:
     """The generalised null space, and how many of its first columns are the null space itself."""
     n, vectors = len(a), 0
+    sizes = np.abs(a).max(axis=1, initial=0.0)
+    sizes = np.where(sizes > 0, sizes, 1.0)  # of the rows before anything is taken off them
     basis = np.zeros((n, 0))
     while basis.shape[1] < n:
-        more = _null(np.vstack([a - basis @ (basis.T @ a), basis.T]), n)
+        left = (a - basis @ (basis.T @ a)) / sizes[:, None]
+        more = _null(np.vstack([left, basis.T]), n)
         if not more.shape[1]:
             break
         more = more - basis @ (basis.T @ more)
@@ -75,8 +78,7 @@ def _chain(a: Matrix) -> tuple[Matrix, int]:
 
 
 def _null(matrix: Matrix, n: int) -> Matrix:
-    sizes = np.abs(matrix).max(axis=1, initial=0.0)
-    _, values, adjoint = np.linalg.svd(matrix / np.where(sizes > 0, sizes, 1.0)[:, None])
+    _, values, adjoint = np.linalg.svd(matrix)
     return np.asarray(adjoint[values <= n * _RANK * max(float(values[0]), 1e-300)].T, dtype=np.float64)
 
 

@@ -338,7 +338,7 @@ def eigen(
     at: Annotated[
         list[str] | None,
         typer.Option(
-            "--at", metavar="T[,T...]", help="Seconds, `initial` (default) or `steady`; several by commas."
+            "--at", metavar="T[,T...]", help="Seconds, `initial` (default), `steady` or `steady@T`."
         ),
     ] = None,
     result: Annotated[

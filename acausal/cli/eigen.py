@@ -63,12 +63,10 @@ def _wrong(problem: str) -> Exception:
 
 
 def _instant(text: str) -> At:
-    if text in ("initial", "steady"):
-        return "initial" if text == "initial" else "steady"
     try:
-        return float(text)
+        return text if text in ("initial", "steady") or text.startswith("steady@") else float(text)
     except ValueError:
-        hint = "give `initial`, `steady`, or seconds, several separated by commas"
+        hint = "give `initial`, `steady`, seconds or `steady@SECONDS`, several separated by commas"
         raise fail(UsageProblem, "usage.at", f"`--at {text}` is no instant", hint=hint) from None
 
 
@@ -142,7 +140,7 @@ def _variants(compiled: CompiledModel, request: Request, table: Path, as_json: b
 
 def warnings(snapshot: Snapshot) -> list[Diagnostic]:
     """What the snapshot says of itself, as warnings."""
-    where = "in the steady state" if snapshot.at == "steady" else f"at {snapshot.time:g} s"
+    where = f"{'in the steady state ' if snapshot.at == 'steady' else ''}at {snapshot.time:g} s"
     return [
         Diagnostic("eigen.snapshot", f"{snapshot.model} {where}: {text}", severity="warning")
         for text in snapshot.warnings

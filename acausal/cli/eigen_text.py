@@ -13,7 +13,7 @@ from acausal.analysis.modes import Mode
 from acausal.analysis.snapshot import Snapshot
 from acausal.analysis.stability import step_limits
 from acausal.analysis.sweep import Locus
-from acausal.analysis.words import value_text
+from acausal.analysis.words import value_text, when
 from acausal.cli.output import print_table, print_text
 
 _SHOWN = 40
@@ -22,7 +22,7 @@ _SHOWN = 40
 def titles(found: Sequence[Snapshot]) -> list[str]:
     """Short names of snapshots: the model, unless it is the same for all, and the instant."""
     one_model = len({snapshot.model for snapshot in found}) == 1
-    names = [snapshot.at or f"{snapshot.time:g} s" for snapshot in found]
+    names = [when(snapshot) for snapshot in found]
     if one_model and len(found) > 1:
         return names
     return [f"{snapshot.model}, {name}" for snapshot, name in zip(found, names, strict=True)]
@@ -30,7 +30,8 @@ def titles(found: Sequence[Snapshot]) -> list[str]:
 
 def title(snapshot: Snapshot) -> str:
     """`Model at its start`, `in its steady state` or `at 0.5 s`, and whether it rests."""
-    where = {"initial": "at its start", "steady": "in its steady state"}.get(snapshot.at)
+    steady = f"in its steady state at {snapshot.time:g} s"
+    where = {"initial": "at its start", "steady": steady}.get(snapshot.at)
     states = f"{len(snapshot.states)} state{'s' if len(snapshot.states) != 1 else ''}"
     rest = "at rest" if snapshot.is_equilibrium else "not at rest"
     return f"{snapshot.model} {where or f'at {snapshot.time:g} s'}: {states}, {rest}"

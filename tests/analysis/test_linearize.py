@@ -153,7 +153,7 @@ def test_a_run_that_ends_before_the_instant() -> None:
 
 def test_labels_and_control_theory() -> None:
     snapshot = acausal.loads(CHAIN).compile().linearize()
-    assert snapshot.A.coords["state"].values.tolist() == list(snapshot.states)
+    assert snapshot.A.dims == ("derivative", "state")
     assert float(snapshot.A[snapshot.states.index("s[1]"), snapshot.states.index("v[1]")]) == 1
     bode = snapshot.bode("s[6]", frequency=[0.0, 1.0])
     assert bode.magnitude[0, 0, 0] == pytest.approx(6 / 400)
@@ -175,7 +175,15 @@ def test_python_control() -> None:
     assert (system.output_labels, system.input_labels) == (["s[6]"], ["f"])
 
 
-@pytest.mark.parametrize("at", [-1.0, float("nan"), float("inf"), "later"])
+@pytest.mark.parametrize("at", [-1.0, float("nan"), float("inf"), "later", "steady@soon"])
 def test_what_is_no_instant_is_refused(at: At) -> None:
     with pytest.raises(UsageProblem, match="no instant"):
         acausal.loads(ROTOR).compile().linearize(at)
+
+
+def test_steady_state_with_the_sources_of_an_instant() -> None:
+    text = """model Driven Real x(start = 0, fixed = true); equation
+      der(x) = (if time < 1 then 2 else 6*time) - 3*x; end Driven;"""
+    early, late = acausal.loads(text).compile().snapshots(["steady@0.5", "steady@2"])
+    assert (early.values[0], late.values[0]) == (pytest.approx(2 / 3), pytest.approx(4))
+    assert (late.time, late.at, late.relations[0].holds) == (2.0, "steady", False)

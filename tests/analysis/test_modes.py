@@ -147,3 +147,18 @@ def test_kinds() -> None:
 def test_leading_states_are_those_that_take_part() -> None:
     found = modes(np.array([[-1.0, 1e-3], [0.0, -2.0]]))
     assert found.modes[0].leading(("x", "y")) == ("x",)
+
+
+def test_bodies_in_play_beside_a_shaft_that_turns() -> None:
+    """Angles first: a driven pair with drag, and two free bodies that touch nothing."""
+    a = np.zeros((8, 8))
+    a[:4, 4:] = np.eye(4)
+    a[4, :2], a[5, :2] = [-1e7, 2e7], [5e6, -1e7]  # a pair that turns at a ratio of 2
+    a[4, 4] = -0.3
+    rotated = np.eye(8)
+    rotated[:4, :4] = np.linalg.qr(np.random.default_rng(1).normal(size=(4, 4)))[0]
+    for matrix in (a, rotated @ a @ rotated.T):
+        found = modes(matrix)
+        zero = found.modes[0]
+        assert (zero.eigenvalue, zero.multiplicity, zero.shape.shape[1]) == (0, 5, 3)
+        assert found.modes[1].eigenvalue == pytest.approx(-0.15, rel=1e-6)

@@ -59,7 +59,7 @@ def test_several_are_a_list(call: Call) -> None:
 
 def test_the_table(call: Call) -> None:
     done = call("eigen", "Spring.mo", "--at", "steady")
-    assert done.out.startswith("Spring in its steady state: 2 states, at rest\n")
+    assert done.out.startswith("Spring in its steady state at 0 s: 2 states, at rest\n")
     assert "-1 ± 9.95i" in done.out
     assert "longest stable step: euler 0.02 s" in done.out
     assert done.err == ""
