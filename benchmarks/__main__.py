@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.table import Table
 
 import acausal
-from benchmarks import comparison, run_time, scale, solvers
+from benchmarks import comparison, eigenvalues, run_time, scale, solvers
 from benchmarks.measure import Row
 
 BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
@@ -22,6 +22,7 @@ BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
     "comparison": lambda quick: comparison.rows(quick=quick),
     "run_time": lambda _: run_time.rows(),
     "solvers": lambda quick: solvers.rows(quick=quick),
+    "eigenvalues": lambda quick: eigenvalues.rows(quick=quick),
 }
 
 

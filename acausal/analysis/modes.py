@@ -96,9 +96,18 @@ class Mode:
         return f"{word}, defective" if self.is_defective else word
 
     def leading(self, states: Sequence[str], most: int = 3, share: float = 0.05) -> tuple[str, ...]:
-        """The states that take part most, the first first: at least one, no others below `share`."""
+        """The states that take part most, the first first: at least one, no others below `share`.
+
+        For a cluster `share` is of the largest, since all its modes share the sum.
+        """
+        least = share if self.multiplicity == 1 else 10 * share * float(self.participation.max())
         order: list[int] = np.argsort(-self.participation, kind="stable")[:most].tolist()
-        return tuple(states[i] for k, i in enumerate(order) if k == 0 or self.participation[i] >= share)
+        return tuple(states[i] for k, i in enumerate(order) if k == 0 or self.participation[i] >= least)
+
+    def others(self, shown: int, share: float = 0.05) -> int:
+        """How many states take as much part as `leading` asks for, beyond those that were `shown`."""
+        least = share if self.multiplicity == 1 else 10 * share * float(self.participation.max())
+        return max(int((self.participation >= least).sum()) - shown, 0)
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,6 +33,8 @@ _CONVERGED = 1e-10
 _ROUNDING = 1e-13
 _FIRST = 1e-6
 """Length of the first step in seconds."""
+_DRIFTING = 1.0
+"""Up to this length of a step, in seconds, positions that may turn do so in the second attempt."""
 _LONGEST = 1e6
 """From here on steps are Newton's."""
 _PATIENCE = 2.0
@@ -65,14 +67,28 @@ def steady_state(evaluator: Evaluator) -> Steady:
     converges (pseudo-transient continuation; C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998),
     508-523). Raises SimulationProblem `steady.none` where that is not so within `MAX_ITERATIONS`, naming what
     keeps moving, and `steady.switching` where modes do not come to rest.
+
+    Positions that may turn stay where they are; if that leads nowhere, they turn during short steps, so that
+    what is loose now can touch a little later.
     """
-    return _Search(evaluator).run()
+    e = evaluator
+    before = [array.copy() for array in (e.x, e.m, e.d, e.guess)]
+    try:
+        return _Search(e, drifting=0.0).run()
+    except SimulationProblem as error:
+        for array, kept in zip((e.x, e.m, e.d, e.guess), before, strict=True):
+            array[:] = kept
+        try:
+            return _Search(e, drifting=_DRIFTING).run()
+        except SimulationProblem:
+            raise error from None
 
 
 class _Search:
     """The way from one point to the steady one."""
 
-    def __init__(self, evaluator: Evaluator) -> None:
+    def __init__(self, evaluator: Evaluator, drifting: float) -> None:
+        self._drifting = drifting
         self.time = float(evaluator.t[0])
         self.events = 0
         self._reselection = Reselection(evaluator, 1.0)
@@ -112,7 +128,8 @@ class _Search:
             step = (
                 newton if tau >= _LONGEST else np.linalg.solve(np.eye(len(self.x)) / tau - jacobian, residual)
             )
-            step = step - null @ (null.T @ step)
+            if tau > self._drifting:
+                step = step - null @ (null.T @ step)
             tau = self._advance(step, null, tau, float(np.linalg.norm(residual)))
         raise self._none(jacobian, residual)
 

@@ -76,8 +76,15 @@ def _rows(snapshot: Snapshot) -> Iterator[Sequence[str]]:
             "-" if constant == inf else f"{constant:.4g}",
             str(mode.multiplicity),
             mode.kind,
-            ", ".join(f"{snapshot.states[i]} {100 * mode.participation[i]:.0f}%" for i in leading),
+            _shares(snapshot, mode, leading),
         )
+
+
+def _shares(snapshot: Snapshot, mode: Mode, leading: Sequence[int]) -> str:
+    """`a.w 50%, a.phi 50%`, and how many more take part."""
+    text = ", ".join(f"{snapshot.states[i]} {100 * mode.participation[i]:.0f}%" for i in leading)
+    more = mode.others(len(leading)) if mode.multiplicity > 1 else 0
+    return f"{text} and {more} more" if more else text
 
 
 def print_comparison(one: Snapshot, other: Snapshot) -> None:
