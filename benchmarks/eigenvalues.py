@@ -1,4 +1,4 @@
-"""What do eigenvalues of many variants cost beside NumPy's alone?
+"""What eigenvalues of many variants cost beside NumPy's alone.
 
 Timed: CPU time of one call for all variants, from parameters to eigenvalues, after one call that made the
 functions; and of `numpy.linalg.eig` on the same matrices. Median of three.

@@ -125,9 +125,7 @@ class _Search:
             long = long + 1 if tau >= _LONGEST else 0
             if long > _STALLED:
                 break
-            step = (
-                newton if tau >= _LONGEST else np.linalg.solve(np.eye(len(self.x)) / tau - jacobian, residual)
-            )
+            step = newton if tau >= _LONGEST else _implicit(jacobian, residual, tau)
             if tau > self._drifting:
                 step = step - null @ (null.T @ step)
             tau = self._advance(step, null, tau, float(np.linalg.norm(residual)))
@@ -258,6 +256,12 @@ def _newton(jacobian: Vector, residual: Vector, sizes: Vector) -> Vector:
     left: Vector = np.asarray(jacobian / sizes[:, None], dtype=np.float64)
     right: Vector = np.asarray(-residual / sizes, dtype=np.float64)
     return np.asarray(np.linalg.lstsq(left, right, rcond=NULL)[0], dtype=np.float64)
+
+
+def _implicit(jacobian: Vector, residual: Vector, tau: float) -> Vector:
+    """A step of linearly implicit Euler."""
+    system: Vector = np.asarray(np.eye(len(residual)) / tau - jacobian, dtype=np.float64)
+    return np.asarray(np.linalg.solve(system, residual), dtype=np.float64)
 
 
 def _is_small(step: Vector, x: Vector) -> bool:
