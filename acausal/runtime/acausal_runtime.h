@@ -50,6 +50,13 @@ typedef struct {
     double *w;
 } ac_function;
 
+/* An input given by samples, at least two, with straight lines between them and constant beyond the ends. */
+typedef struct {
+    int position, count;       /* in `u`; samples */
+    int at;                    /* where the last value was found */
+    const double *times, *values;
+} ac_table;
+
 typedef struct {
     int states, crossings, guesses, outputs, conditions, entries;
     double *t, *x;             /* the point at which the functions evaluate */
@@ -61,7 +68,10 @@ typedef struct {
     double *row;               /* outputs */
     double *ok;                /* conditions, 1.0 where they hold */
     ac_function ode, jac, derivative, events, scales, output, assertions;
-    void (*fill)(void *owner, double t); /* writes the model's inputs at `t`; null where they are constant */
+    double *u;                 /* inputs, where there are tables */
+    ac_table *tables;          /* those given by samples */
+    int table_count;
+    void (*fill)(void *owner, double t); /* writes the other inputs at `t`; null where they are constant */
     int (*rescue)(void *owner, int what); /* where blocks have no solution: `xdot` and `z` (0) or slopes (1) else */
     void *owner;
     int autonomous;            /* `rate` is zero */

@@ -43,6 +43,16 @@ class FunctionStructure(Structure):
     _fields_ = [*_pointers("entry machine self arg res iw w")]
 
 
+class TableStructure(Structure):
+    """`ac_table`."""
+
+    position: int
+    count: int
+    times: int
+    values: int
+    _fields_ = [*_typed("position count at", c_int), *_pointers("times values")]
+
+
 class ModelStructure(Structure):
     """`ac_model`."""
 
@@ -70,6 +80,9 @@ class ModelStructure(Structure):
     scales: FunctionStructure
     output: FunctionStructure
     assertions: FunctionStructure
+    u: int
+    tables: int
+    table_count: int
     fill: int | None
     rescue: int | None
     autonomous: int
@@ -82,6 +95,8 @@ class ModelStructure(Structure):
         *_typed("states crossings guesses outputs conditions entries", c_int),
         *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
+        *_pointers("u tables"),
+        *_typed("table_count", c_int),
         *_pointers("fill rescue owner"),
         *_typed("autonomous exact_rate takes_solution unchecked free_roots settled", c_int),
         *_typed("evaluations jacobians", c_longlong),

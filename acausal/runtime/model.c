@@ -41,6 +41,37 @@ static size_t bytes(int n)
     return (size_t)n * sizeof(double);
 }
 
+static double interpolated(ac_table *table, double t)
+{
+    const double *times = table->times;
+    int low = table->at;
+    if (!(times[low] <= t && t < times[low + 1])) {
+        int high = table->count - 1; /* the last interval that begins at t or before it */
+        for (low = 0; high - low > 1;) {
+            int middle = low + (high - low) / 2;
+            if (times[middle] <= t) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        table->at = low;
+    }
+    double share = (t - times[low]) / (times[low + 1] - times[low]);
+    share = fmin(fmax(share, 0.0), 1.0);
+    return table->values[low] + share * (table->values[low + 1] - table->values[low]);
+}
+
+static void fill(ac_model *m, double t)
+{
+    for (int i = 0; i < m->table_count; i++) {
+        m->u[m->tables[i].position] = interpolated(&m->tables[i], t);
+    }
+    if (m->fill != NULL) {
+        m->fill(m->owner, t);
+    }
+}
+
 static void place(ac_model *m, double t, const double *x)
 {
     if (m->settled && m->t[0] == t && (m->states == 0 || memcmp(m->x, x, bytes(m->states)) == 0)) {
@@ -51,9 +82,7 @@ static void place(ac_model *m, double t, const double *x)
     if (m->states > 0) {
         memcpy(m->x, x, bytes(m->states));
     }
-    if (m->fill != NULL) {
-        m->fill(m->owner, t);
-    }
+    fill(m, t);
 }
 
 /* Solves the implicit blocks at the point that is placed. What they find is the next guess. */
@@ -85,9 +114,7 @@ static int solved(ac_model *m)
 static int direct(ac_model *m, double t, const double *x, double *f)
 {
     m->t[0] = t;
-    if (m->fill != NULL) {
-        m->fill(m->owner, t);
-    }
+    fill(m, t);
     m->evaluations++;
     m->ode.arg[1] = x;
     m->ode.res[0] = f;

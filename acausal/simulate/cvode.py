@@ -30,6 +30,8 @@ SPARSE_FROM = 50
 """From this number of states on, the linear solver is sparse (SuperLU) instead of dense."""
 
 _TOO_MUCH_WORK, _COLLAPSED = -1, -1000
+_ROUND = 64 * np.finfo(float).eps
+"""Instants that differ by less are the same."""
 
 _CAUSES = {
     _COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
@@ -192,8 +194,8 @@ class Cvode:
         """To `target` in pieces that end where the slope of an input jumps: as many as there are kinks."""
         while True:
             kink = self._evaluator.inputs.next_kink(self._time)
-            if kink >= target:
-                return self._advance(target, min(stop, kink))
+            if kink >= target - _ROUND * max(abs(target), abs(self._time)):
+                return self._advance(target, min(stop, max(kink, target)))
             arrival = self._advance(kink, kink)
             if arrival.crossed is not None:
                 return arrival

@@ -70,6 +70,12 @@ class Inputs:
         self.kinks = tuple(sorted({kink for table in tables for kink in table.kinks}))
         """Where an input's slope jumps."""
 
+    @property
+    def tables(self) -> list[tuple[int, Table]] | None:
+        """All inputs that change with time, by position, if they are tables; else None."""
+        found = [(item.position, item.of) for item in self.moving if isinstance(item.of, Table)]
+        return found if len(found) == len(self.moving) else None
+
     def fill(self, time: float, u: Vector) -> None:
         """Writes the values at `time`; not-a-number where a function of the user's fails."""
         for item in self.moving:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 from contextlib import suppress
-from dataclasses import dataclass, field
 from time import perf_counter, process_time
 
 import numpy as np
@@ -17,7 +16,14 @@ from numpy.typing import NDArray
 
 from acausal.errors import AcausalError, UnsupportedProblem
 from acausal.runtime import binding
-from acausal.runtime.binding import FILL, METHODS, RESCUE, ModelStructure, RunTime, SolverStructure
+from acausal.runtime.binding import (
+    FILL,
+    METHODS,
+    RESCUE,
+    ModelStructure,
+    RunTime,
+    SolverStructure,
+)
 from acausal.simulate.buffered import Robust
 from acausal.simulate.elimination import eliminate
 from acausal.simulate.evaluator import Evaluator
@@ -25,6 +31,7 @@ from acausal.simulate.events import operators
 from acausal.simulate.failures import COLLAPSED, failure
 from acausal.simulate.machine import WORTH, bound, machine_of, pointer
 from acausal.simulate.matrices import Vector
+from acausal.simulate.memory import Memory, table_structures
 from acausal.simulate.solver import BATCH, SLOW_BATCHES, Arrival, Influence, Sweep, Tolerances, Work
 
 _BUDGET = 2_000
@@ -33,18 +40,6 @@ _EVALUATIONS = dict(zip(METHODS, (10, 1, 1, 2, 3, 6, 1, 3), strict=True))
 """Evaluations in a step."""
 _CHUNK = 2**17
 """Numbers in a block of rows."""
-
-
-@dataclass
-class _Memory:
-    """Everything that the structures point to."""
-
-    kept: list[object] = field(default_factory=list[object])
-
-    def array(self, array: Vector | NDArray[np.int32] | NDArray[np.int64]) -> int:
-        """Keeps an array, and says where it is."""
-        self.kept.append(array)
-        return pointer(array)
 
 
 class NativeSolver:
@@ -64,7 +59,7 @@ class NativeSolver:
         self._machine = machine_of(evaluator.code)
         self._compiled = compiled
         self._run_time = RunTime()
-        self._memory = _Memory()
+        self._memory = Memory()
         self._model = ModelStructure()
         self._solver = SolverStructure()
         self._arrays: dict[str, Vector] = {}
@@ -121,10 +116,7 @@ class NativeSolver:
         self._arrays["guess"] = evaluator.guess
         for name, array in self._arrays.items():
             setattr(model, name, memory.array(array))
-        if evaluator.is_moving:
-            fill = FILL(self._fill)
-            memory.kept.append(fill)
-            model.fill = ctypes.cast(fill, ctypes.c_void_p).value
+        self._bind_inputs()
         functions = self._machine.functions
         slopes, quick = functions.get("jac"), code.quick
         together = quick.slopes is not None
@@ -138,6 +130,21 @@ class NativeSolver:
             memory.kept.append(rescue)
             model.rescue = ctypes.cast(rescue, ctypes.c_void_p).value
         self._bind_functions()
+
+    def _bind_inputs(self) -> None:
+        """Tables are the run-time's business; anything else that moves is asked for at every evaluation."""
+        evaluator, model, memory = self._evaluator, self._model, self._memory
+        tables = evaluator.inputs.tables
+        if not evaluator.is_moving:
+            return
+        if evaluator.history is not None or tables is None:
+            fill = FILL(self._fill)
+            memory.kept.append(fill)
+            model.fill = ctypes.cast(fill, ctypes.c_void_p).value
+            return
+        structures = table_structures(tables, memory)
+        model.u, model.tables = pointer(evaluator.u), ctypes.addressof(structures)
+        model.table_count = len(tables)
 
     def _bind_functions(self) -> None:
         library = self._machine.library if self.is_compiled else None

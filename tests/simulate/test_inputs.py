@@ -11,7 +11,9 @@ import pytest
 import acausal
 from acausal.codegen.functions import Code
 from acausal.errors import LookupProblem, SimulationProblem, UsageProblem
-from acausal.simulate.inputs import InputValue, Table
+from acausal.runtime.build import compiler
+from acausal.simulate.inputs import Inputs, InputValue, Table
+from acausal.simulate.matrices import Vector
 from acausal.simulate.result import Result
 from acausal.simulate.simulate import simulate
 
@@ -61,6 +63,30 @@ def test_table_is_linear_between_its_points_and_stops_at_kinks() -> None:
     exact = np.where(t > 1, rising - 4 * (after - 1 + np.exp(-after)), rising)
     assert np.max(np.abs(result.values("x") - exact)) < 1e-7
     assert result.values("u") == pytest.approx(1 - np.abs(t - 1))
+
+
+@pytest.mark.parametrize("solver", ["rodas", "heun", "cvode"])
+def test_tables_of_many_samples(solver: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two tables with kinks of their own; the run-time in C interpolates them itself."""
+    asked: list[float] = []
+    fill = Inputs.fill
+
+    def counted(self: Inputs, time: float, u: Vector) -> None:
+        asked.append(time)
+        fill(self, time, u)
+
+    monkeypatch.setattr(Inputs, "fill", counted)
+    random = np.random.default_rng(1)
+    tables = [(np.linspace(0, 2, n), random.normal(size=n)) for n in (31, 8)]
+    inputs: dict[str, InputValue] = {"u": tables[0], "gain": tables[1]}
+    result = simulate(lag(), inputs=inputs, stop_time=2.0, rtol=1e-9, solver=solver, step=1e-3)
+    for name, (times, values) in zip(("u", "gain"), tables, strict=True):
+        assert result.values(name) == pytest.approx(np.interp(result.time, times, values), abs=1e-12)
+    fine = np.linspace(0, 2, 200_001)
+    pull = np.interp(fine, *tables[0]) * np.interp(fine, *tables[1]) * np.exp(fine - 2.0)
+    assert result.values("x")[-1] == pytest.approx(np.trapezoid(pull, fine), abs=1e-5)
+    if solver != "cvode" and compiler() is not None:
+        assert len(asked) < 20
 
 
 def test_kinks_are_only_where_the_slope_changes() -> None:
