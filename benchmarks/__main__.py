@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.table import Table
 
 import acausal
-from benchmarks import comparison, eigenvalues, run_time, scale, solvers
+from benchmarks import comparison, eigenvalues, first_result, gearbox, run_time, scale, solvers
 from benchmarks.measure import Row
 
 BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
@@ -23,6 +23,8 @@ BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
     "run_time": lambda _: run_time.rows(),
     "solvers": lambda quick: solvers.rows(quick=quick),
     "eigenvalues": lambda quick: eigenvalues.rows(quick=quick),
+    "first_result": lambda quick: first_result.rows(quick=quick),
+    "gearbox": lambda quick: gearbox.rows(quick=quick),
 }
 
 

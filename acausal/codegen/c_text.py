@@ -73,14 +73,15 @@ def c_text(functions: Mapping[str, Function]) -> str:
     return _without_calls(_without_null_tests(generator.dump()))
 
 
+_SMALL = re.compile(r"^(casadi_real casadi_\w+\(casadi_real x(?:, casadi_real y)?\) *\{)", re.MULTILINE)
 _CHOICES = (("return fmin(x, y);", "x < y"), ("return fmax(x, y);", "x > y"))
 
 
 def _without_calls(text: str) -> str:
-    """The smaller and the larger of two numbers (or the one that is a number) without the library's help."""
+    """Functions of one or two numbers in the line; the smaller and the larger without the library's help."""
     for call, test in _CHOICES:
         text = text.replace(call, f"return {test} || y != y ? x : y;")
-    return text
+    return _SMALL.sub(r"static inline \1", text)
 
 
 _OUTER = re.compile(r"^  return (casadi_f\d+)\(arg, res, iw, w, mem\);$", re.MULTILINE)
