@@ -18,7 +18,7 @@ pilot chamber pressure [Pa] and, with the flow source only, line pressure [Pa].
 Fluid (all pressures absolute)::
 
     specific volume over its reference  w = (1 - a) exp(-(p - p0) / K_l) + a exp(-(p_g - p0) / p_d) p0 / p_g
-    gas pressure, positive for every p  p_g = (p + sqrt(p^2 + p_m^2)) / 2
+    gas pressure, positive for every p  p_g = (p + sqrt(p^2 + p_m^2)) / 2 + 1e-6 p_m
     density, bulk modulus               rho = rho_0 / w,  K = -w / w'
 
 Restriction (C_d discharge coefficient, A area, d_h hydraulic diameter)::
@@ -136,9 +136,11 @@ def specific_volume(pressure: float, par: Parameters) -> tuple[float, float]:
     air = par["air_fraction"]
     root_ = np.hypot(pressure, par["p_gas_min"])
     liquid = (1.0 - air) * np.exp(-over / par["K_liquid"])
-    p_gas = 0.5 * (pressure + root_)
+    p_gas = 0.5 * (pressure + root_) + 1e-6 * par["p_gas_min"]
     gas = air * np.exp(-(p_gas - par["p_ref"]) / par["p_dissolve"]) * par["p_ref"] / p_gas
-    slope = -liquid / par["K_liquid"] - gas * (p_gas / par["p_dissolve"] + 1.0) / root_
+    slope = -liquid / par["K_liquid"] - gas * (1.0 / par["p_dissolve"] + 1.0 / p_gas) * 0.5 * (
+        1.0 + pressure / root_
+    )
     return float(liquid + gas), float(slope)
 
 
