@@ -10,7 +10,7 @@ from acausal.lang import ast
 from acausal.lang.arithmetic import type_error
 from acausal.lang.flat import REAL, Causality, Variability
 from acausal.lang.function_frame import Frame
-from acausal.lang.index_choices import VariableIndex, check_size, with_index
+from acausal.lang.index_choices import VariableIndex, check_size, with_colon, with_index
 from acausal.lang.instance import Array, Instance, Leaf, Member
 from acausal.lang.light import light_object
 from acausal.lang.matching_values import match_values
@@ -44,9 +44,26 @@ def _choices(
         return
     check_size(choice)
     choice.check(translation, ex.logical_and(frame.guard, guard))
+    elements = _elements(frame, with_colon(target, choice), choice.size)
+    if elements is not None and isinstance(value, Value) and not value.shape:
+        one = Value(elements.type, (), elements.items[:1])
+        check_assignable(one, value, target)
+        ((_, item),) = match_values(one, value, target.span)
+        for k, symbol in enumerate(elements.items, start=1):
+            yield ex.logical_and(guard, choice.test(k)), symbol, item
+        return
     for k in range(1, choice.size + 1):
         inside = ex.logical_and(guard, choice.test(k))
         yield from _choices(frame, with_index(target, choice, k), value, inside)
+
+
+def _elements(frame: Frame, target: ast.ComponentReference, size: int) -> Value | None:
+    """All variables that one varying subscript chooses from, if that is the only one."""
+    try:
+        found = target_value(frame.translation, target, frame.env(), initial=frame.initial)
+    except VariableIndex:
+        return None
+    return found if size and isinstance(found, Value) and found.shape == (size,) else None
 
 
 def target_value(
