@@ -11,7 +11,7 @@ from acausal.lang.modifiers import Context, Modifier
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import shape_of
 
-MAX_ELEMENTS = 200_000
+MAX_ELEMENTS = 100_000
 """Bound on the elements of one array component."""
 MAX_DIMENSIONS = 100
 

@@ -143,6 +143,10 @@ def build_table(scope: Scope) -> Table:
         base = scope.base_class(definition.base)
         own = merge(modifier_of(definition.modification, Context(where, None)), scope.below)
         _inherit(scope, table, Base(base, own, definition.dimensions, where, definition.span), False)
+    elif isinstance(definition, ast.DerClass):
+        where = scope.enclosing or scope
+        base = where.find_class(definition.base)
+        _inherit(scope, table, Base(base, NO_MODIFIER, None, where, definition.span), False)
     elif isinstance(definition, ast.LongClass):
         if definition.extends:
             _inherit_replaced(scope, table, definition)

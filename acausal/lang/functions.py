@@ -32,6 +32,7 @@ from acausal.lang.function_kernels import at_events
 from acausal.lang.function_units import note_unit
 from acausal.lang.function_values import function_value, is_function_type
 from acausal.lang.instance import Instance
+from acausal.lang.partial_derivatives import differentiated
 from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
@@ -155,6 +156,12 @@ def _inlined(
 def _run(
     translation: Translation, scope: Scope, given: _Arguments, node: ast.Call, env: Env
 ) -> list[AnyValue]:
+    if isinstance(scope.definition, ast.DerClass):
+
+        def run(base: Scope, inputs: _Arguments) -> list[AnyValue]:
+            return _run(translation, base, inputs, node, env)
+
+        return differentiated(scope, scope.definition, given, node.span, run)
     frame = new_frame(translation, scope, env)
     translation.count_step(scope.path, node.span, call=True)
     entries = list(scope.table.components.values())
