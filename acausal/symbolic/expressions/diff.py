@@ -29,7 +29,7 @@ from acausal.symbolic.expressions.expr import (
     mul,
     neg,
     no_event,
-    parts,
+    outermost,
     power,
     relation,
     smooth,
@@ -37,6 +37,7 @@ from acausal.symbolic.expressions.expr import (
     substitute,
     unknown_leaves,
 )
+from acausal.symbolic.expressions.kernel import NoDerivative
 
 Rule = Callable[[Expr, list[Expr]], Expr]
 """Derivative of a node from the node and the derivatives of its arguments."""
@@ -154,7 +155,12 @@ def _homotopy(node: Expr, d: list[Expr]) -> Expr:
 def _call(node: Expr, d: list[Expr]) -> Expr:
     terms: list[Expr] = []
     for i, slope in enumerate(d):
-        partial_kernel = None if slope is ZERO else node.kernel.partial(i)
+        if slope is ZERO:
+            continue
+        try:
+            partial_kernel = node.kernel.partial(i)
+        except NoDerivative as problem:
+            raise NotDifferentiable(node, f"`{problem}` has no known derivative") from None
         if partial_kernel is not None:
             terms.append(mul(call(partial_kernel, *node.args), slope))
     return add(*terms) if terms else ZERO
@@ -218,6 +224,7 @@ RULES: dict[str, Rule] = {
 JUMPS = frozenset({"sign", "floor", "ceil", "integer", "idiv", "mod", "rem"})
 """Functions that jump: no time derivative unless their arguments are constant."""
 
+_RATES = frozenset({"rate"})
 _LEAVES = frozenset({"sym", "der", "pre"})
 
 
@@ -294,12 +301,15 @@ class TimeDerivative:
             return NotDifferentiable(node, f"{node.op} jumps")
         if not vouched and node.op == "if" and not self._allowed(node):
             return NotDifferentiable(node, "its branches do not provably meet where the condition switches")
-        return RULES[node.op](node, slopes)
+        try:
+            return RULES[node.op](node, slopes)
+        except NotDifferentiable as problem:
+            return problem
 
     def _given(self, derivative: Expr) -> Expr | NotDifferentiable:
         """The derivative that an author gave, with the rates in it found (deeper ones when they are due)."""
         mapping: dict[Expr, Expr] = {}
-        for node in _rates(derivative):
+        for node in outermost(derivative, _RATES):
             arg = node.args[0]
             slope = fold([arg], self._visit_strict, self._strict)[arg]
             if isinstance(slope, NotDifferentiable):
@@ -323,23 +333,6 @@ class TimeDerivative:
 
     def _moves(self, leaf: Expr) -> bool:
         return self._leaf(leaf) is not ZERO
-
-
-def _rates(root: Expr) -> list[Expr]:
-    """The `rate(...)` that make up the value of an expression, outermost ones."""
-    found: dict[Expr, None] = {}
-    seen: set[Expr] = set()
-    stack = [root]
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node.op == "rate":
-            found[node] = None
-        else:
-            stack.extend(reversed(parts(node)))
-    return list(found)
 
 
 def _no_values(name: str) -> None:

@@ -60,6 +60,7 @@ from acausal.symbolic.expressions.operators import (
 from acausal.symbolic.expressions.walk import (
     each_symbol,
     fold,
+    outermost,
     parts,
     postorder,
     substitute,
@@ -104,6 +105,7 @@ __all__ = [
     "neg_term",
     "no_event",
     "ordinal",
+    "outermost",
     "parts",
     "postorder",
     "power",

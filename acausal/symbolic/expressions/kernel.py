@@ -14,6 +14,10 @@ from hashlib import sha256
 from acausal.symbolic.expressions.node import Constant
 
 
+class NoDerivative(Exception):
+    """A function of which only values are known (an external object, a function as an argument)."""
+
+
 class Kernel(ABC):
     """A function of scalars with one scalar result. Subclasses are immutable and implement `evaluate`."""
 
@@ -33,8 +37,11 @@ class Kernel(ABC):
         """The value; raises ArithmeticError or ValueError where there is none."""
 
     def partial(self, argument: int) -> Kernel | None:
-        """The derivative with respect to an argument (from 0), of the same arguments; None: it is zero."""
-        raise NotImplementedError(self.name)
+        """The derivative with respect to an argument (from 0), of the same arguments; None: it is zero.
+
+        Raises `NoDerivative` where there is none.
+        """
+        raise NoDerivative(self.name)
 
     def moves_with(self, argument: int) -> bool:
         """Whether the value may change with an argument in a way that the pieces do not account for."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from typing import TypeVar
 
 from acausal.symbolic.expressions.construct import rebuild
 from acausal.symbolic.expressions.node import Expr
 
 _T = TypeVar("_T")
+_UNKNOWN = frozenset({"sym", "der", "pre"})
 
 
 def postorder(roots: Iterable[Expr]) -> Iterator[Expr]:
@@ -115,6 +116,11 @@ def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
 
     `der(x)` counts as one leaf (and `x` inside it does not); so does `pre(x)`.
     """
+    return outermost(root, _UNKNOWN)
+
+
+def outermost(root: Expr, operators: Container[str]) -> tuple[Expr, ...]:
+    """The distinct nodes of these operators that make up the value, none inside another, as they appear."""
     found: dict[Expr, None] = {}
     seen: set[Expr] = set()
     stack = [root]
@@ -123,7 +129,7 @@ def unknown_leaves(root: Expr) -> tuple[Expr, ...]:
         if node in seen:
             continue
         seen.add(node)
-        if node.op == "sym" or node.op in ("der", "pre"):
+        if node.op in operators:
             found[node] = None
         else:
             stack.extend(reversed(parts(node)))

@@ -10,6 +10,7 @@ import pytest
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.diff import NotDifferentiable, partial, time_derivative
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, evaluate
+from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.kernels.patches import patches
 from acausal.symbolic.expressions.kernels.piecewise import Piecewise, lookup, piecewise
 from acausal.symbolic.expressions.text import to_text
@@ -151,3 +152,10 @@ def test_an_input_has_no_rate() -> None:
 def test_partial_kernels_are_shared() -> None:
     assert isinstance(HAT.partial(1), Piecewise)
     assert HAT.partial(1) is HAT.partial(1)
+
+
+def test_a_function_of_which_only_the_name_is_known_has_no_derivative() -> None:
+    call = ex.call(Named("tabulated", 1), ex.sym("x"))
+    with pytest.raises(NotDifferentiable, match="`tabulated` has no known derivative"):
+        partial(call, ex.sym("x"))
+    assert partial(ex.call(Named("tabulated", 1), ex.sym("y")), ex.sym("x")) is ex.ZERO
