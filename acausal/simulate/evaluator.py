@@ -212,6 +212,18 @@ class Evaluator:
         how = Walk(SimulationProblem, float(self.t[0]), self.nominal_of(), self.guess_of())
         return walk(self.code.dynamic, inputs, how).values
 
+    def walked(self, time: float, x: Vector, local: bool) -> tuple[Vector, Vector] | None:
+        """Derivatives and solutions of blocks by damped iterations, few if `local`; None if they fail."""
+        inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
+        how = Walk(SimulationProblem, time, self.nominal_of(), self.guess_of(), local)
+        slots = self.code.dynamic.slots
+        try:
+            values = walk(self.code.dynamic, inputs, how).values
+        except SimulationProblem:
+            return None
+        slopes = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
+        return slopes, values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
+
     def nominal_of(self) -> dict[Expr, float]:
         return dict(zip(self.code.dynamic.guesses, self.z_nominal.tolist(), strict=True))
 

@@ -38,6 +38,8 @@ _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""
 _EVALUATIONS = dict(zip(METHODS, (10, 1, 1, 2, 3, 6, 1, 3), strict=True))
 """Evaluations in a step."""
+_LONG_WALKS = 200
+"""So many times a run solves its blocks by homotopy, if need be."""
 _CHUNK = 2**17
 """Numbers in a block of rows."""
 
@@ -73,7 +75,7 @@ class NativeSolver:
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
-        self._failed = 0
+        self._failed, self._walks = 0, 0
         self._judged, self._slow = (0, tolerances.start), 0
         self._compiling = process_time() - began
 
@@ -125,7 +127,7 @@ class NativeSolver:
         has_rate = "derivative" in functions or (together and slopes is not None and slopes.nnz_out(1) > 0)
         model.exact_rate = (2 if together else 1) if has_rate and not evaluator.is_moving else 0
         model.autonomous = int(not has_rate and not evaluator.is_moving)
-        if quick.ode is not None or (together and model.guesses):
+        if quick.ode is not None or model.guesses:
             rescue = RESCUE(self._rescue)
             memory.kept.append(rescue)
             model.rescue = ctypes.cast(rescue, ctypes.c_void_p).value
@@ -184,11 +186,21 @@ class NativeSolver:
                     self._evaluator.code, [known[n] for n in self._evaluator.code.ode.name_in()]
                 )
             if what == 0:
-                return int(not self._robust.ode([arrays["xdot"], arrays["z"]]))
+                found = [arrays["xdot"], arrays["z"]]
+                return int(not self._robust.ode(found) and not self._walked(found))
             return int(not self._robust.slopes([arrays["jacobian"], arrays["rate"]]))
         except BaseException as problem:
             self._raised = problem
             return 1
+
+    def _walked(self, found: list[Vector]) -> bool:
+        """Solves the blocks one by one by damped iterations: what a refused step found misleads plain ones."""
+        arrays = self._arrays
+        self._walks += 1
+        solved = self._evaluator.walked(float(arrays["t"][0]), arrays["x"], self._walks > _LONG_WALKS)
+        if solved is not None:
+            found[0][:], found[1][:] = solved
+        return solved is not None
 
     def _set_up(self, method: int) -> None:
         solver, memory, limits, found = self._solver, self._memory, self._limits, self._elimination
