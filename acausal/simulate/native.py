@@ -194,7 +194,7 @@ class NativeSolver:
             return 1
 
     def _walked(self, found: list[Vector]) -> bool:
-        """Solves the blocks one by one by damped iterations: what a refused step found misleads plain ones."""
+        """Solves blocks one by one by damped iterations: what a refused step found misleads plain ones."""
         arrays = self._arrays
         self._walks += 1
         solved = self._evaluator.walked(float(arrays["t"][0]), arrays["x"], self._walks > _LONG_WALKS)
