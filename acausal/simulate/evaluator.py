@@ -29,6 +29,8 @@ from acausal.symbolic.expressions.expr import Expr, der
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
 _CLEAR, _REST = 1e-11, 0.1
+_LONG_WALKS = 200
+"""So many times a run solves its blocks by homotopy, if need be."""
 
 
 class Evaluator:
@@ -50,6 +52,7 @@ class Evaluator:
         self._sizes = np.full(len(code.located), 1e-3)
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
+        self._walks = 0
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
         self.x_nominal = _positive(nominal[0].ravel())
@@ -212,17 +215,22 @@ class Evaluator:
         how = Walk(SimulationProblem, float(self.t[0]), self.nominal_of(), self.guess_of())
         return walk(self.code.dynamic, inputs, how).values
 
-    def walked(self, time: float, x: Vector, local: bool) -> tuple[Vector, Vector] | None:
-        """Derivatives and solutions of blocks by damped iterations, few if `local`; None if they fail."""
+    def walk_into(self, found: list[Vector], time: float, x: Vector) -> bool:
+        """Derivatives and solutions of blocks by damped iterations, and now and then by homotopy.
+
+        What a step found that was refused may mislead plain Newton iterations. False if these fail, too.
+        """
+        self._walks += 1
         inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
-        how = Walk(SimulationProblem, time, self.nominal_of(), self.guess_of(), local)
+        how = Walk(SimulationProblem, time, self.nominal_of(), self.guess_of(), self._walks > _LONG_WALKS)
         slots = self.code.dynamic.slots
         try:
             values = walk(self.code.dynamic, inputs, how).values
         except SimulationProblem:
-            return None
-        slopes = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
-        return slopes, values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
+            return False
+        found[0][:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
+        found[1][:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
+        return True
 
     def nominal_of(self) -> dict[Expr, float]:
         return dict(zip(self.code.dynamic.guesses, self.z_nominal.tolist(), strict=True))

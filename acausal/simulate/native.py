@@ -38,8 +38,6 @@ _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""
 _EVALUATIONS = dict(zip(METHODS, (10, 1, 1, 2, 3, 6, 1, 3), strict=True))
 """Evaluations in a step."""
-_LONG_WALKS = 200
-"""So many times a run solves its blocks by homotopy, if need be."""
 _CHUNK = 2**17
 """Numbers in a block of rows."""
 
@@ -75,7 +73,7 @@ class NativeSolver:
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
-        self._failed, self._walks = 0, 0
+        self._failed = 0
         self._judged, self._slow = (0, tolerances.start), 0
         self._compiling = process_time() - began
 
@@ -187,20 +185,12 @@ class NativeSolver:
                 )
             if what == 0:
                 found = [arrays["xdot"], arrays["z"]]
-                return int(not self._robust.ode(found) and not self._walked(found))
+                time, x = float(arrays["t"][0]), arrays["x"]
+                return int(not (self._robust.ode(found) or self._evaluator.walk_into(found, time, x)))
             return int(not self._robust.slopes([arrays["jacobian"], arrays["rate"]]))
         except BaseException as problem:
             self._raised = problem
             return 1
-
-    def _walked(self, found: list[Vector]) -> bool:
-        """Solves blocks one by one by damped iterations: what a refused step found misleads plain ones."""
-        arrays = self._arrays
-        self._walks += 1
-        solved = self._evaluator.walked(float(arrays["t"][0]), arrays["x"], self._walks > _LONG_WALKS)
-        if solved is not None:
-            found[0][:], found[1][:] = solved
-        return solved is not None
 
     def _set_up(self, method: int) -> None:
         solver, memory, limits, found = self._solver, self._memory, self._limits, self._elimination
