@@ -146,7 +146,7 @@ class Plan:
             len(tearing),
             _kept(functions, code.rest),
             _kept(functions, code.residual),
-            _kept(functions, code.terms) if is_linear else "",
+            _kept(functions, _renamed(code.terms, f"{code.rest.name()}_terms")) if is_linear else "",
             tuple(pattern.colind()),
             tuple(pattern.row()),
             tuple(self._nominal_slots.get(leaf, -1) for leaf in tearing),
@@ -198,7 +198,9 @@ class Plan:
     def everything(self) -> dict[str, Function]:
         """All functions, by the names under which their C is."""
         found = [*self.functions.values(), *self.initial.functions.values(), *self.dynamic.functions.values()]
-        return {function.name(): function for function in found}
+        named = {function.name(): function for function in found}
+        assert len(named) == len(found), "two functions of one name"
+        return named
 
     def sizes(self) -> tuple[int, int, int, int]:
         """Pointers and scratch that the functions need at most: arguments, results, integers, numbers."""
@@ -236,6 +238,11 @@ class Plan:
 
 
 def _renamed(function: Function, name: str) -> Function:
+    """The same under a name that no other function has."""
+    if function.is_a("SXFunction"):
+        symbols = function.sx_in()
+        values = function.call(symbols, True, False)
+        return Function(name, symbols, values, function.name_in(), function.name_out(), FORWARD)
     inputs = function.mx_in()
     outputs = function.call(inputs, True, False)
     return Function(name, inputs, outputs, function.name_in(), function.name_out(), FORWARD)

@@ -13,15 +13,22 @@ from acausal.export.c_export import export_c
 from tests.export.packages import Built, built, compiled, differences, exported, needs_compiler
 
 LOOP = """
-model Loop "A nonlinear and a linear loop, one that switches, and an event that is located"
+model Loop "A nonlinear loop, linear ones that switch, of which one is singular, and located events"
   parameter Real a = 2;
   parameter Real k = 1;
   input Real u(start = 0.5);
   Real x(start = 1, fixed = true);
   Real y(start = 1);
   Real f1; Real f2; Real f3; Real f4; Real f5;
+  Real v[5] "Voltages of a network that floats while x is small";
+  Real i = if time < 1.2 then x else 0;
 equation
-  der(x) = -y + f1 + u * sin(time);
+  2 * (v[1] - v[2]) + 0.5 * (v[1] - v[3]) + 0.2 * x * (v[1] - v[5]) = i;
+  2 * (v[2] - v[1]) + (1 + x) * (v[2] - v[3]) + 0.3 * (v[2] - v[4]) = 0;
+  0.5 * (v[3] - v[1]) + (1 + x) * (v[3] - v[2]) + (v[3] - v[4]) * x + (v[3] - v[5]) = 0;
+  0.3 * (v[4] - v[2]) + (v[4] - v[3]) * x + (if time < 1.2 then v[4] else 0) + 0.7 * (v[4] - v[5]) = 0;
+  0.2 * x * (v[5] - v[1]) + (v[5] - v[3]) + 0.7 * (v[5] - v[4]) = 0;
+  der(x) = -y + f1 + u * sin(time) - 0.1 * v[1];
   y ^ 3 + k * y = x;
   f1 + 2 * f2 - f3 + f4 = x;
   f1 - f2 + f3 + f5 = y;
@@ -130,7 +137,7 @@ def test_failing_row_says_what_and_when(loop: Built) -> None:
     loop.run("-p", "table.csv", "-r", "results.csv", code=1)
     first, second = results(loop)
     assert "a is too large" in first["status"]
-    assert "<string>:17" in first["status"]
+    assert "<string>:24" in first["status"]
     assert second["status"] == "ok"
 
 
@@ -151,6 +158,11 @@ def test_wrong_requests_of_the_program(loop: Built) -> None:
     (loop.folder / "unknown.csv").write_text("b\n1\n", encoding="utf-8")
     for words in (["-p", "unknown.csv"], ["-p", "missing.csv"], ["-u", "w=1"], ["--step", "0"], ["-x", "1"]):
         assert loop.run(*words, code=2).stderr.startswith("error: ")
+
+
+def test_only_the_program_may_use_the_heap() -> None:
+    files = export_c(compiled(HYBRID).code, step=1e-3).files
+    assert [path for path, text in files.items() if "alloc(" in text] == ["main.c"]
 
 
 def test_two_exports_are_the_same() -> None:

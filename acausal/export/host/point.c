@@ -38,15 +38,13 @@ static int robust(ac_run *r)
 {
     ac_model *m = &r->model;
     const double *const given[7] = {m->t, m->x, r->p, r->m, r->u, r->d, m->guess};
-    if (r->plan->robust == NULL) {
-        return 1;
-    }
+    ac_entry entry = r->plan->robust != NULL ? r->plan->robust : r->plan->ode;
     for (int i = 0; i < 7; i++) {
         r->arg[i] = given[i];
     }
     r->res[0] = m->xdot;
     r->res[1] = m->z;
-    int code = r->plan->robust(r->arg, r->res, r->iw, r->w, 0);
+    int code = entry(r->arg, r->res, r->iw, r->w, 0);
     return code != 0 || !ac_finite(m->xdot, m->states) || !ac_finite(m->z, m->guesses);
 }
 
@@ -90,6 +88,9 @@ static int differences(ac_run *r)
 int ac_rescue(void *owner, int what)
 {
     ac_run *r = owner;
+    if (what == 0 && r->plan->robust == NULL) {
+        return 1; /* it has been tried */
+    }
     return what == 0 ? robust(r) : differences(r);
 }
 
