@@ -19,8 +19,11 @@ LIMITS = {
 }
 AT_REST = (
     "Hydraulics.Examples.ClutchFilling",
+    "Hydraulics.Examples.CylinderMoves",
     "Hydraulics.Examples.FeedbackLands",
+    "Hydraulics.Examples.PumpAndLaminarLoad",
     "Hydraulics.Examples.RegulatorBench",
+    "Hydraulics.Examples.ReliefHoldsPressure",
     "Hydraulics.Examples.ReliefSpool",
     "Hydraulics.Examples.SpoolBetweenStops",
     "Hydraulics.Examples.ThreeWaySpool",

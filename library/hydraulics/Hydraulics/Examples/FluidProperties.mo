@@ -1,6 +1,6 @@
 within Hydraulics.Examples;
 model FluidProperties "Density and bulk modulus over pressure are consistent"
-  parameter Media.DexronVI fluid "Oil";
+  parameter Media.Fluid fluid = Media.DexronVI() "Oil";
   parameter Units.AbsolutePressure p_low = 2e4 "Pressure at time 0";
   parameter Real rate(unit = "Pa/s") = 2e6 "Rise of pressure";
   Units.AbsolutePressure p "Pressure";

@@ -1,6 +1,8 @@
 within Hydraulics.Interfaces;
 partial model PartialNode "Where several lines meet at one pressure"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure";
   parameter Integer n(min = 1) = 2 "Number of ports";
   parameter Units.Volume V_0 "Volume, where oil is stored";

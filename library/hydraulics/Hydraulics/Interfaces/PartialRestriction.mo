@@ -1,6 +1,8 @@
 within Hydraulics.Interfaces;
 partial model PartialRestriction "Flow between two ports without storage"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   Port port_a "Port on the left";
   Port port_b "Port on the right";
   Units.PressureDifference dp(start = 0) "Pressure difference from port_a to port_b";

@@ -1,6 +1,8 @@
 within Hydraulics.Interfaces;
 partial model PartialVolume "Compressible oil at one pressure"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure";
   Units.AbsolutePressure p(start = p_start, stateSelect = StateSelect.prefer) "Pressure";
   Units.Density rho "Density";
