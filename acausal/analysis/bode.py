@@ -58,6 +58,11 @@ class Bode:
         coordinates = {"output": list(self.outputs), "input": list(self.inputs), "frequency": frequency}
         return xr.DataArray(self.gain, dims=("output", "input", "frequency"), coords=coordinates, name="gain")
 
+    def _repr_png_(self) -> bytes:
+        from acausal.analysis.drawing import draw_bode
+
+        return draw_bode(self).as_png()
+
     def plot(self, path: str | Path | None = None) -> Figure:
         """Magnitude and phase over frequency; written as PNG, SVG or PDF if `path` is given."""
         from acausal.analysis.drawing import draw_bode  # Matplotlib takes half a second to import

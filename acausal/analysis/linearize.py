@@ -7,18 +7,21 @@ from dataclasses import dataclass, field
 from math import inf
 from typing import TypeAlias
 
-from acausal.analysis.linear import state_matrix
+import numpy as np
+
+from acausal.analysis.linear import Matrix, state_matrix
 from acausal.analysis.modes import modes
 from acausal.analysis.points import Point, points_of_run
 from acausal.analysis.snapshot import Snapshot
 from acausal.analysis.steady import steady_state
 from acausal.analysis.truth import growing, relations
 from acausal.codegen.functions import Code
-from acausal.errors import UsageProblem, fail
+from acausal.errors import SimulationProblem, UsageProblem, fail
 from acausal.lang.flat import REAL, Causality
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.initialize import initialize
 from acausal.simulate.inputs import InputValue
+from acausal.simulate.messages import some
 from acausal.simulate.options import resolve
 from acausal.simulate.overrides import Override
 from acausal.simulate.solvers import AUTO, chosen
@@ -118,6 +121,7 @@ def snapshot_of(evaluator: Evaluator, at: str = "") -> Snapshot:
     code = evaluator.code
     by_name = code.system.flat.by_name
     a = state_matrix(evaluator)
+    _check(evaluator, a)
     found = modes(a, evaluator.x_nominal)
     known = relations(evaluator)
     leaves = tuple(to_text(leaf) for leaf in code.output_leaves)
@@ -139,4 +143,33 @@ def snapshot_of(evaluator: Evaluator, at: str = "") -> Snapshot:
         units=tuple(by_name[name].unit for name in code.system.states),
         relations=known,
         growing=growing(evaluator, found, known),
+        notes=_held(evaluator),
     )
+
+
+def _check(evaluator: Evaluator, a: Matrix) -> None:
+    """Raises SimulationProblem `linearize.not-finite` where a derivative has no slope."""
+    wrong = np.argwhere(~np.isfinite(a))
+    if not len(wrong):
+        return
+    states = evaluator.code.system.states
+    pairs: list[tuple[int, int]] = [(int(i), int(j)) for i, j in wrong]
+    rows = list(dict.fromkeys(states[i] for i, _ in pairs))
+    columns = list(dict.fromkeys(states[j] for _, j in pairs))
+    raise fail(
+        SimulationProblem,
+        "linearize.not-finite",
+        f"the slope of {some([f'`der({name})`' for name in rows])} with respect to "
+        f"{some([f'`{name}`' for name in columns])} is not finite at {evaluator.t[0]:g} s",
+        names=dict.fromkeys([*rows, *columns]),
+        hint="a root of zero has no slope: linearise a little away from there, or make it smooth",
+    )
+
+
+def _held(evaluator: Evaluator) -> tuple[str, ...]:
+    """Delayed values do not react at once, so they are constants here."""
+    delays = evaluator.code.system.delays
+    if not delays:
+        return ()
+    texts = [f"`{to_text(node)}`" for node in delays]
+    return (f"delayed values are held, so modes through them are not seen: {some(texts)}",)

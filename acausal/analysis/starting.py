@@ -17,6 +17,7 @@ from acausal.codegen.stitch import Goal, Stitching
 from acausal.errors import UsageProblem, fail
 from acausal.lang.flat import REAL
 from acausal.simulate.events import literal_modes, operators
+from acausal.simulate.initialize import initialize
 from acausal.simulate.inputs import InputValue
 from acausal.simulate.overrides import Override, parameter_overrides, start_values
 from acausal.symbolic.expressions.expr import ZERO, sym
@@ -61,33 +62,43 @@ def mapped_start(
 ) -> Matrix | None:
     """Jacobians (k, n, n) at the start; not-a-number for variants that have to be looked at by themselves.
 
-    None for models whose start an event or a past decides: those with discrete variables or delays. The first
-    variant's modes are taken for all, and those kept that agree with them.
+    None for models whose start a past decides (delays), whose states change, or whose first event resets
+    states. The first variant's modes and discrete values are taken for all, and those kept that agree.
     """
     system = code.system
     names = frozenset(system.parameters)
     is_free = any(leaf.op == "sym" and leaf.name in names for leaf in code.initial.unknowns)
-    if system.discrete.frozen or system.delays or system.dynamic is not None or is_free:
+    if system.delays or system.dynamic is not None or is_free:
         return None
     point = first.point
+    setting = [{name: values[0] for name, values in table.items()} for table in (parameters, start)]
+    before = initialize(code, point.time, setting[0], setting[1], inputs, point.time)
+    if not np.array_equal(before.x, point.x):
+        return None
     count = max((len(values) for values in (*parameters.values(), *start.values())), default=1)
     p = _parameters(code, parameters, count)
     known = {
         "t": np.full((1, count), point.time),
         "p": p,
-        "m": np.repeat(point.m[:, None], count, axis=1),
+        "m": _same(before.evaluator.m, count),
         "u": _inputs(code, point, p, inputs),
-        "d": np.zeros((0, count)),
+        "d": _same(before.evaluator.d, count),
         "s": _starts(code, p, start),
     }
     initial, guess = _initial(code, first)
-    known["z"] = np.repeat(guess[:, None], count, axis=1)
+    known["z"] = _same(guess, count)
     x, z = _mapped(initial, known)[:2]
     known |= {"x": x, "z": z}
+    fits = _agree(code, known, before.evaluator.m, before.evaluator.d)
+    known |= {"m": _same(point.m, count), "d": _same(point.d, count)}
     jacobian = code.jac.map(count).call([known[name] for name in code.jac.name_in()])[0]
     result = _stacked(code, np.array(jacobian.nonzeros(), dtype=np.float64), count)
-    result[~_agree(code, known, point.m)] = np.nan
+    result[~(fits & _agree(code, known, point.m, point.d))] = np.nan
     return result
+
+
+def _same(values: Vector, count: int) -> Vector:
+    return np.repeat(values[:, None], count, axis=1)
 
 
 def _mapped(function: Function, known: Mapping[str, Vector]) -> list[Vector]:
@@ -153,13 +164,17 @@ def _stacked(code: Code, nonzeros: Vector, count: int) -> Matrix:
     return result
 
 
-def _agree(code: Code, known: Mapping[str, Vector], modes: Vector) -> NDArray[np.bool_]:
-    """Which variants have the modes that were taken for them."""
-    ops = operators(code.system)
-    if not ops:
-        return np.full(len(known["t"][0]), True)
-    roots, sizes = (_mapped(function, known)[0] for function in (code.events, code.sizes))
-    clear: NDArray[np.bool_] = np.abs(roots) > _ROUNDING * sizes
-    wanted: Vector = np.array([literal_modes(ops, column) for column in roots.T], dtype=np.float64).T
-    agree = np.logical_or(np.equal(wanted, modes[:, None]), np.logical_not(clear))
-    return np.asarray(np.all(agree, axis=0), dtype=np.bool_)
+def _agree(code: Code, known: Mapping[str, Vector], modes: Vector, discrete: Vector) -> NDArray[np.bool_]:
+    """Which variants have the modes and the discrete values that were taken for them."""
+    ops, count = operators(code.system), len(known["t"][0])
+    agree = np.full(count, True)
+    if ops:
+        roots, sizes = (_mapped(function, known)[0] for function in (code.events, code.sizes))
+        clear: NDArray[np.bool_] = np.abs(roots) > _ROUNDING * sizes
+        wanted: Vector = np.array([literal_modes(ops, column) for column in roots.T], dtype=np.float64).T
+        agree &= np.all(np.logical_or(np.equal(wanted, modes[:, None]), np.logical_not(clear)), axis=0)
+    unknowns = len(code.system.discrete.unknowns)
+    if unknowns:
+        found = _mapped(code.discrete.update, known)[0]
+        agree &= np.all(found == discrete[:unknowns, None], axis=0)
+    return agree

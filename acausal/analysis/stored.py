@@ -84,8 +84,8 @@ class _Table:
         self._modes(evaluator, x, instant)
         found = snapshot_of(evaluator)
         if self.time[row] == instant:
-            return replace(found, notes=self._notes(evaluator, row))
-        return replace(found, notes=self._gap(found, row))
+            return replace(found, notes=(*found.notes, *self._notes(evaluator, row)))
+        return replace(found, notes=(*found.notes, *self._gap(found, row)))
 
     def _row(self, at: At) -> tuple[int, float]:
         """The last row that is not after the instant, and the instant."""

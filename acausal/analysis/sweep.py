@@ -61,6 +61,11 @@ class Locus:
             self.roots, dims=(self.name, "branch"), coords=coordinates, attrs={"units": "1/s"}
         )
 
+    def _repr_png_(self) -> bytes:
+        from acausal.analysis.drawing import draw_locus
+
+        return draw_locus(self).as_png()
+
     def to_json(self) -> dict[str, object]:
         """What `acausal eigen --sweep --json` prints."""
         branches = [

@@ -97,3 +97,14 @@ def test_what_cannot_be() -> None:
         tank.variants({"a": [1.0, 2.0, 3.0]}, start={"x": [1.0, 2.0]})
     with pytest.raises(LookupProblem, match="no parameter `b`"):
         tank.variants({"b": [1.0]})
+
+
+def test_discrete_values_at_the_start() -> None:
+    text = """model Relay parameter Real T0 = 15, k = 1; Real T(start = T0, fixed = true);
+      Boolean on(start = true, fixed = true); discrete Real seen(start = 0, fixed = true);
+      equation der(T) = (if on then 30 - T else 0) - k*T^2/100;
+      on = not (T > 22 or pre(on) == false and T > 18); when T > 20 then seen = T; end when; end Relay;"""
+    compiled = acausal.loads(text).compile()
+    found = compiled.variants({"T0": [15.0, 25.0, 19.0], "k": [1.0, 2.0, 3.0]})
+    for i in range(3):
+        same_as_alone(compiled, found, i)

@@ -187,3 +187,20 @@ def test_steady_state_with_the_sources_of_an_instant() -> None:
     early, late = acausal.loads(text).compile().snapshots(["steady@0.5", "steady@2"])
     assert (early.values[0], late.values[0]) == (pytest.approx(2 / 3), pytest.approx(4))
     assert (late.time, late.at, late.relations[0].holds) == (2.0, "steady", False)
+
+
+def test_a_root_of_zero_has_no_slope() -> None:
+    text = "model Empty Real h(start = 0, fixed = true); equation der(h) = -sqrt(h); end Empty;"
+    compiled = acausal.loads(text).compile()
+    with pytest.raises(SimulationProblem, match=r"slope of `der\(h\)` with respect to `h` is not finite"):
+        compiled.linearize()
+    with pytest.raises(SimulationProblem, match="not finite"):
+        compiled.variants({}, start={"h": [1.0, 0.0]})
+
+
+def test_delays_are_told() -> None:
+    text = """model Late Real x(start = 1, fixed = true); equation
+      der(x) = -delay(x, 0.5) - 0.2*x; end Late;"""
+    snapshot = acausal.loads(text).compile().linearize(0.4)
+    assert snapshot.eigenvalues[0] == pytest.approx(-0.2)
+    assert "delayed values are held" in snapshot.warnings[-1]
