@@ -149,9 +149,10 @@ def decomposed(matrices: Matrix, nominals: NDArray[np.float64]) -> Decomposition
     sizes = np.linalg.norm(right, axis=1) * np.linalg.norm(left, axis=2)
     norms = np.linalg.norm(inner, axis=(1, 2))
     radii = UNCERTAINTY * norms[:, None] * np.minimum(sizes, 1 / np.finfo(float).eps)
+    averaged, crowded = _averaged(values, radii)
     zeros = np.zeros((len(values), scaled.shape[1] - values.shape[1]), dtype=np.complex128)
-    found = np.hstack([zeros, _averaged(values, radii)])
-    for i in odd:
+    found = np.hstack([zeros, averaged])
+    for i in dict.fromkeys([*odd, *crowded]):
         found[i] = modes(matrices[i], nominals).eigenvalues
     return Decomposition(found, inner, right, left)
 
@@ -183,18 +184,18 @@ def _inverse(right: Complex) -> Complex:
         return np.asarray(np.linalg.pinv(right, rcond=1e-15), dtype=np.complex128)
 
 
-def _averaged(values: Complex, radii: Matrix) -> Complex:
-    """The means of clusters: eigenvalues that rounding cannot tell apart, as in `modes`."""
+def _averaged(values: Complex, radii: Matrix) -> tuple[Complex, list[int]]:
+    """The means of pairs that rounding cannot tell apart; and the variants with larger clusters."""
     near = np.abs(values[:, :, None] - values[:, None, :]) <= 2 * np.minimum(
         radii[:, :, None], radii[:, None, :]
     )
     some = np.flatnonzero(near.sum(axis=(1, 2)) > values.shape[1])
     if not some.size:
-        return values
+        return values, []
     linked = near[some].astype(np.float32)
     for _ in range(int(np.ceil(np.log2(values.shape[1] + 1)))):
         linked = (linked @ linked > 0).astype(np.float32)
     result = values.copy()
     weights = linked / linked.sum(axis=2, keepdims=True)
     result[some] = (weights.astype(np.float64) @ values[some][:, :, None])[:, :, 0]
-    return result
+    return result, some[linked.sum(axis=2).max(axis=1) > 2].tolist()

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from acausal.codegen.functions import Code
     from acausal.simulate.inputs import InputValue
     from acausal.simulate.overrides import Override
+    from acausal.simulate.result import Result
 
 
 class Linearizing(Protocol):
@@ -46,19 +47,20 @@ class Linearizing(Protocol):
         parameters: Mapping[str, Override] | None = None,
         start: Mapping[str, float] | None = None,
         inputs: Mapping[str, InputValue] | None = None,
-        result: Columns | None = None,
+        result: Columns | Result | None = None,
     ) -> tuple[Snapshot, ...]:
         """`linearize` at several instants, which one run visits; or instants of a stored `result`.
 
-        `result` has a column `time`, one for each state, and best one for each discrete variable; see
+        `result` is one of `simulate`, or columns by name: `time`, each state, each discrete variable; see
         `acausal.analysis.stored.stored_snapshots`.
         """
         from acausal.analysis.linearize import Setting, snapshots
-        from acausal.analysis.stored import stored_snapshots
+        from acausal.analysis.stored import columns_of, stored_snapshots
 
         setting = Setting(parameters or {}, start or {}, inputs or {})
         if result is not None:
-            return stored_snapshots(self.code, result, at, setting)
+            table = result if isinstance(result, Mapping) else columns_of(self.code, result)
+            return stored_snapshots(self.code, table, at, setting)
         return snapshots(self.code, at, setting)
 
     def variants(

@@ -159,13 +159,10 @@ def modes(a: Matrix, scale: Sequence[float] | NDArray[np.float64] | None = None)
     sizes = np.ones(len(a)) if scale is None else np.asarray(scale, dtype=np.float64)
     parts = _decomposed(a, sizes)
     clusters = _clusters(parts)
-    none = np.zeros((0, 0), complex)
-    is_simple = all(len(members) == 1 for members in clusters)
-    triangle, basis = (none, none) if is_simple else schur(parts.inner, output="complex")
-    found = [
-        _simple(parts, int(members[0])) if len(members) == 1 else _several(parts, triangle, basis, members)
-        for members in clusters
-    ]
+    found = [_simple(parts, int(members[0])) for members in clusters if len(members) == 1]
+    several = [members for members in clusters if len(members) > 1]
+    if several:
+        found += _several(parts, several)
     found.sort(key=lambda mode: abs(mode.eigenvalue))
     found = [*_zero(parts), *_with_conjugates(found, len(parts.values))]
     return Modes(tuple(found), _condition(found, parts.back))
@@ -224,8 +221,30 @@ def _simple(parts: _Decomposition, i: int) -> Mode:
     return Mode(value, 1, shape, share / share.sum(), float(parts.radii[i]))
 
 
-def _several(parts: _Decomposition, triangle: Complex, basis: Complex, members: NDArray[np.intp]) -> Mode:
-    """One cluster's mean eigenvalue, eigenvectors and participation."""
+def _several(parts: _Decomposition, clusters: Sequence[NDArray[np.intp]]) -> list[Mode]:
+    """The modes of eigenvalues that may belong together; what is too far apart for that is split."""
+    triangle, basis = schur(parts.inner, output="complex")
+    found: list[Mode] = []
+    waiting = list(clusters)
+    while waiting:
+        members = waiting.pop()
+        mode = _simple(parts, int(members[0])) if len(members) == 1 else None
+        mode = mode or _cluster(parts, triangle, basis, members)
+        if mode is not None:
+            found.append(mode)
+        else:
+            waiting += _split(members, parts.values)
+    return found
+
+
+def _cluster(
+    parts: _Decomposition, triangle: Complex, basis: Complex, members: NDArray[np.intp]
+) -> Mode | None:
+    """One cluster's mean eigenvalue, eigenvectors and participation.
+
+    None if its eigenvalues lie further apart than a change of the matrix by rounding can take those of a
+    Jordan block, (eps ||A||)^(1/k) ||T11||^(1 - 1/k).
+    """
     k, n = len(members), len(triangle)
     chosen = _same(parts.values[members], np.diag(triangle))
     t, q = _moved_to_front(triangle, basis, chosen)
@@ -233,6 +252,9 @@ def _several(parts: _Decomposition, triangle: Complex, basis: Complex, members: 
     coupling = solve_sylvester(t[:k, :k], -t[k:, k:], -t[:k, k:]) if k < n else np.zeros((k, 0), complex)
     uncertainty = UNCERTAINTY * parts.norm * float(np.hypot(1.0, np.linalg.norm(coupling)))
     spread = float(np.abs(np.diag(t)[:k] - np.trace(t[:k, :k]) / k).max())
+    size = float(np.linalg.norm(t[:k, :k]))
+    if spread > 2 * uncertainty ** (1 / k) * size ** (1 - 1 / k):
+        return None
     mean = _real_if(complex(np.trace(t[:k, :k]) / k), max(uncertainty, spread))
     right = q[:, :k]
     left = np.hstack([np.eye(k), -coupling]) @ q.conj().T
@@ -240,6 +262,18 @@ def _several(parts: _Decomposition, triangle: Complex, basis: Complex, members: 
     vectors = _eigenvectors(t[:k, :k] - mean * np.eye(k), right, _ROUNDING * parts.norm)
     shape = _normed((parts.frame @ vectors) * parts.back[:, None])
     return Mode(mean, k, shape, share / share.sum(), uncertainty)
+
+
+def _split(members: NDArray[np.intp], values: Complex) -> list[NDArray[np.intp]]:
+    """In two or more, at the widest gap."""
+    distance = np.abs(values[members][:, None] - values[members][None, :])
+    labels = np.arange(len(members))
+    for reach in np.unique(distance)[::-1]:
+        near = coo_array((distance < reach).astype(np.float64))
+        count, labels = connected_components(near, directed=False)
+        if count > 1:
+            break
+    return [members[labels == label] for label in range(int(labels.max()) + 1)]
 
 
 def _real_if(value: complex, rounding: float) -> complex:

@@ -23,6 +23,7 @@ from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import Instant, crossed_modes, operators, wanted_modes
 from acausal.simulate.initialize import initialize
 from acausal.simulate.messages import number, some
+from acausal.simulate.result import Result
 from acausal.simulate.schedule import Schedule
 from acausal.simulate.settle import Settling
 from acausal.symbolic.expressions.text import to_text
@@ -36,6 +37,14 @@ _AHEAD = 1e-9
 _NEAR = 1e-7
 """A root this small beside its sides was located."""
 _PASSES = 50
+
+
+def columns_of(code: Code, result: Result) -> dict[str, Vector]:
+    """What a snapshot needs of a result in memory."""
+    discrete = map(to_text, code.system.discrete.unknowns)
+    known = frozenset(map(to_text, result.leaves))
+    names = dict.fromkeys([*code.system.states, *(name for name in discrete if name in known)])
+    return {"time": result.time, **{name: result.values(name) for name in names}}
 
 
 def stored_snapshots(

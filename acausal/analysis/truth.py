@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.analysis.linear import Matrix, state_matrix
-from acausal.analysis.modes import Modes, modes
+from acausal.analysis.modes import Modes
 from acausal.errors import SimulationProblem
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.messages import place
@@ -26,6 +26,8 @@ _CHANGE = 1e-6
 """Of the states, relative, over which rates of roots are taken."""
 _ZERO = 1e-9
 _FOLLOWING = 10
+_CLEARLY = 1e-9
+"""A real part beyond this, relative to the largest eigenvalue, grows."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +122,7 @@ def growing(evaluator: Evaluator, found: Modes, known: tuple[Relation, ...]) -> 
     which = [i for i, mode in enumerate(found.modes) if mode.grows and mode.eigenvalue.imag >= 0]
     if not which:
         return ()
-    count = sum(mode.multiplicity for mode in found.modes if mode.grows)
+    count = _growing_count(state_matrix(evaluator), evaluator.x_nominal)
     calming = tuple(known[i] for i in range(min(len(known), MOST_TRIED)) if _count(evaluator, i) < count)
     states = evaluator.code.system.states
     return tuple(Growing(i, found.modes[i].leading(states), calming) for i in which)
@@ -156,4 +158,5 @@ def _follow(e: Evaluator) -> None:
 def _growing_count(a: Matrix, scale: NDArray[np.float64]) -> int:
     if not np.isfinite(a).all():
         return len(a) + 1
-    return sum(mode.multiplicity for mode in modes(a, scale).modes if mode.grows)
+    values = np.linalg.eigvals(a * scale / scale[:, None])
+    return int((values.real > _CLEARLY * max(float(np.abs(values).max(initial=0.0)), 1e-300)).sum())

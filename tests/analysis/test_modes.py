@@ -162,3 +162,12 @@ def test_bodies_in_play_beside_a_shaft_that_turns() -> None:
         zero = found.modes[0]
         assert (zero.eigenvalue, zero.multiplicity, zero.shape.shape[1]) == (0, 5, 3)
         assert found.modes[1].eigenvalue == pytest.approx(-0.15, rel=1e-6)
+
+
+@pytest.mark.parametrize("fast", [0.0, -1e6])
+def test_lags_in_a_row_are_one_mode_for_each_speed(fast: float) -> None:
+    lags = np.diag([-1.0] * 3 + [-5.0] * 3 + [fast]) + np.diag([1.0, 1, 0, 5, 5, 0], k=-1)
+    for basis in (np.eye(7), np.linalg.qr(np.random.default_rng(2).normal(size=(7, 7)))[0]):
+        found = modes(basis @ lags @ basis.T)
+        several = [(round(m.eigenvalue.real, 6), m.multiplicity, m.is_defective) for m in found.modes]
+        assert sorted(several) == sorted([(-5.0, 3, True), (-1.0, 3, True), (fast, 1, False)])

@@ -51,6 +51,11 @@ def test_as_in_the_run(relay: CompiledModel, result: Result, names: tuple[str, .
         assert not snapshot.notes
 
 
+def test_a_result_in_memory(relay: CompiledModel, result: Result) -> None:
+    (snapshot,) = relay.snapshots([2.0], result=result)
+    np.testing.assert_allclose(snapshot.a, relay.linearize(2.0).a, rtol=1e-4)
+
+
 def test_between_rows(relay: CompiledModel, result: Result) -> None:
     (between,) = stored_snapshots(relay.code, columns(result, "T", "walls"), [1.0077])
     alone = relay.linearize(1.0077)
