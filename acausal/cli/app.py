@@ -272,7 +272,7 @@ def export(
     ] = "locate",
     tunable: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="A parameter, start(x), or all; default: the top level's."),
+        typer.Option(metavar="NAME", help="Parameters, start(x), or all; default: the top level's."),
     ] = None,
     variable: Annotated[
         list[str] | None, typer.Option("-v", "--variable", metavar="NAME", help="An output. Repeatable.")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +15,8 @@ from acausal.export.c_export import export_c
 from acausal.export.casadi_model import to_casadi
 from acausal.export.package import package_name
 from acausal.export.support import check_kernels
+
+_NAME = re.compile(r"(?:'(?:\\.|[^'])*'|\[[^\]]*\]|[^,\['])+")
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,11 @@ class Wish:
     everything: bool
 
 
+def names_in(texts: Iterable[str]) -> tuple[str, ...]:
+    """The names of `a,b[1,2]` and of further texts: commas in brackets and quotes belong to a name."""
+    return tuple(name.strip() for text in texts for name in _NAME.findall(text) if name.strip())
+
+
 def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
     """Compiles, writes, and says what was written. What cannot be exported leaves nothing behind."""
     if wish.to == "casadi":
@@ -49,7 +58,7 @@ def run_export(target: Target, wish: Wish, *, as_json: bool) -> None:
         stop_time=wish.stop_time,
         interval=wish.interval,
         events=wish.events,
-        tunable=wish.tunable,
+        tunable=names_in(wish.tunable),
         variables=wish.variables,
         everything=wish.everything,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from acausal.cli.exporting import names_in
 from tests.cli.calls import Call
 
 
@@ -33,3 +34,7 @@ def test_export_to_casadi(call: Call, working_directory: Path) -> None:
     summary = json.loads(done.out)
     assert summary["functions"][:3] == ["ode", "dae", "jac"]
     assert summary["files"] == {"tank.casadi": (working_directory / "tank.casadi").stat().st_size}
+
+
+def test_names_by_commas() -> None:
+    assert names_in(["a, b[1,2],start(c[3,4])", "'d,e'.f"]) == ("a", "b[1,2]", "start(c[3,4])", "'d,e'.f")
