@@ -26,6 +26,18 @@ def not_a_connector(member: Instance | Leaf, span: Span) -> AcausalError:
     )
 
 
+def two_quantities(a: str, b: str, quantities: Mapping[str, str], span: Span) -> AcausalError:
+    """The error for connected variables of different quantities."""
+    return fail(
+        TypeProblem,
+        "connect.quantity",
+        f"`{a}` and `{b}` are connected, but the one is a `{quantities[a]}`, the other a `{quantities[b]}`",
+        span,
+        names=[a, b],
+        hint="connect variables of one quantity, or leave the attribute `quantity` empty (Modelica 3.6, 9.3)",
+    )
+
+
 def mismatch(a: Member, b: Member, span: Span, why: str) -> AcausalError:
     """The error for connectors that differ."""
     return fail(

@@ -11,7 +11,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from acausal.errors import Span
-from acausal.lang.connection_errors import constant_clash, mismatch, not_a_connector, two_sources
+from acausal.lang.connection_errors import (
+    constant_clash,
+    mismatch,
+    not_a_connector,
+    two_quantities,
+    two_sources,
+)
 from acausal.lang.flat import Causality, Equation, Origin, Variability
 from acausal.lang.instance import Absent, Array, Connection, Instance, Leaf, Member, Outer, leaves
 from acausal.symbolic.expressions import expr as ex
@@ -150,6 +156,17 @@ def check_constants(sets: ConnectionSets, values: dict[str, Constant]) -> None:
     for a, b, span in sets.constants:
         if values[a.path] != values[b.path]:
             raise constant_clash(a, b, values, span)
+
+
+def check_quantities(sets: ConnectionSets, quantities: Mapping[str, str]) -> None:
+    """What is connected is of one quantity, where it has any (9.3). Raises `connect.quantity`."""
+    first: dict[Node, str] = {}
+    for node in sets.place:
+        quantity = quantities.get(node[0])
+        if quantity:
+            other = first.setdefault(sets.find(node), node[0])
+            if quantities[other] != quantity:
+                raise two_quantities(other, node[0], quantities, sets.place[node][0])
 
 
 # --------------------------------------------------------------------------- equations

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from acausal.lang.assertions import without_repetitions
 from acausal.lang.connection_constraints import constraint_equations
-from acausal.lang.connections import ConnectionSets, check_constants, connection_equations
+from acausal.lang.connections import ConnectionSets, check_constants, check_quantities, connection_equations
 from acausal.lang.equations import Equations
 from acausal.lang.experiment import experiment_of
 from acausal.lang.flat import FlatModel, Variable
@@ -36,6 +36,7 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         for path in constants
     }
     check_constants(work.sets, values)
+    check_quantities(sets, {v.name: v.quantity for v in found if v.quantity})
     constraints = constraint_equations(translator, sets, network.overdetermined, root)
     streams = Streams(translator, sets, network.flows(), tuple(network.asked))
     equations = streams.resolved(
