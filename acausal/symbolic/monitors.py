@@ -29,7 +29,9 @@ from acausal.symbolic.graphs.types import Eq, Var
 THRESHOLD = 0.1
 """Quality below which a better choice of states is looked for; a good one of two has at least 0.5."""
 LARGEST_BLOCK = 12
-"""Blocks of more constraints that only together can be solved for their dummies are not watched."""
+"""Larger blocks are watched row by row, each for the share of its own dummy: a determinant would be too long.
+That says less of the block as a whole, and a choice may be looked for where none is needed.
+"""
 
 Number = Callable[[Expr], float | None]
 """The value of an expression at the point where the choice is made."""
@@ -56,8 +58,16 @@ def state_monitors(
         own = [rows[eq] for eq in component.equations]
         dummies = [row.pivot for row in own]
         matrix = [[row.coefficients.get(name, ZERO) for name in dummies] for row in own]
-        if len(own) <= LARGEST_BLOCK and not all(is_constant(a) for entries in matrix for a in entries):
-            monitors += _monitor(own, dummies, {row.pivot for row in rows}, matrix, number)
+        if all(is_constant(a) for entries in matrix for a in entries):
+            continue
+        taken = {row.pivot for row in rows}
+        if len(own) <= LARGEST_BLOCK:
+            monitors += _monitor(own, dummies, taken, matrix, number)
+            continue
+        for row in own:
+            pivot = row.coefficients.get(row.pivot, ZERO)
+            if not all(is_constant(a) for a in row.coefficients.values()):
+                monitors += _monitor([row], [row.pivot], taken, [[pivot]], number)
     return monitors
 
 

@@ -11,7 +11,7 @@ from acausal.symbolic.causal_text import print_causal
 from acausal.symbolic.causalise import causalise, choose_states, with_states
 from acausal.symbolic.expressions.evaluate import evaluate
 from acausal.symbolic.expressions.expr import Expr, const, sym
-from acausal.symbolic.monitors import THRESHOLD, determinant
+from acausal.symbolic.monitors import LARGEST_BLOCK, THRESHOLD, Row, determinant, state_monitors
 from tests.symbolic.build import PENDULUM_PARAMETERS, Attributes, model, pendulum
 
 matrices = st.integers(1, 5).flatmap(
@@ -98,3 +98,25 @@ def test_nothing_is_watched_where_nothing_else_could_be_chosen(held: bool) -> No
     system = causalise(model(*equations, *([] if held else ["a + b = sin(time)"])))
     assert system.dynamic is None
     assert system.zero_crossings == ()
+
+
+def test_a_block_too_large_for_a_determinant_is_watched_row_by_row() -> None:
+    dynamic = causalise(pendulum(x=0.9, y=-1.2)).dynamic
+    assert dynamic is not None
+    constraint = dynamic.monitors[0].constraints[0]
+    count = LARGEST_BLOCK + 1
+    rows = [
+        Row(constraint, {f"x{i}": sym("a"), f"x{(i + 1) % count}": const(0.5), "y": const(0.25)}, f"x{i}")
+        for i in range(count)
+    ]
+    point = {"a": 1.0}
+
+    def number(expr: Expr) -> float:
+        return value(expr, point)
+
+    found = state_monitors(rows, lambda a: a.is_const, number)
+    assert [m.solved_for for m in found] == [(f"x{i}",) for i in range(count)]
+    assert all(m.alternatives == ("y",) for m in found)
+    assert evaluate(found[0].relation, point.get) is True
+    assert evaluate(found[0].relation, {"a": 0.05}.get) is False
+    assert len(state_monitors(rows[:-1], lambda a: a.is_const, number)) == count - 1
