@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from acausal.errors import TypeProblem
+from acausal.errors import AcausalError, LookupProblem, TypeProblem
 from acausal.lang import ast
 from acausal.lang.arithmetic import RELATIONS, as_boolean, binary, choose
 from acausal.lang.assertions import guard_assertions
@@ -125,7 +125,9 @@ def _untaken(
     """The last branch, or the one that parameters decide for if the last makes no sense then."""
     try:
         return translation.value(otherwise, env)
-    except TypeProblem:
+    except (TypeProblem, LookupProblem) as problem:
+        if not _may_be_untaken(problem):
+            raise
         for test, branch in pending:
             if translation.decide(test):
                 return translation.value(branch, env)
@@ -140,8 +142,13 @@ def _branch(
     try:
         taken = translation.value(branch, env)
         return choose(test, taken, otherwise, branch.span)
-    except TypeProblem:
-        decided = translation.decide(test)
+    except (TypeProblem, LookupProblem) as problem:
+        decided = translation.decide(test) if _may_be_untaken(problem) else None
         if decided is None or (decided and taken is None):
             raise
         return taken if decided and taken is not None else otherwise
+
+
+def _may_be_untaken(problem: AcausalError) -> bool:
+    """Whether a branch that parameters decide against may be as it is: ill-sized, or part of a circle."""
+    return isinstance(problem, TypeProblem) or problem.codes == ("parameter.cyclic",)
