@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.table import Table
 
 import acausal
-from benchmarks import comparison, eigenvalues, first_result, gearbox, run_time, scale, solvers
+from benchmarks import comparison, eigenvalues, first_result, gearbox, run_time, scale, solvers, steps
 from benchmarks.measure import Row
 
 BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
@@ -25,6 +25,7 @@ BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
     "eigenvalues": lambda quick: eigenvalues.rows(quick=quick),
     "first_result": lambda quick: first_result.rows(quick=quick),
     "gearbox": lambda quick: gearbox.rows(quick=quick),
+    "steps": lambda quick: steps.rows(quick=quick),
 }
 
 

@@ -6,16 +6,17 @@ block BrakeSchedule "Normal force of the brake on the output shaft over the shif
   parameter Mechanics.Units.Length leverArm "Torque of the brake over normal force and friction coefficient";
   parameter Mechanics.Units.Ratio mu = 0.1205 "Friction coefficient while it slips; chosen: of its plates at 100 rad/s";
   parameter Mechanics.Units.Torque tau_hold = 400 "Torque in park and neutral";
-  parameter Mechanics.Units.AngularVelocity w_first = 101
+  parameter Mechanics.Units.AngularVelocity w_first = 108
     "Wanted speed when the shift to first begins; chosen: see the documentation";
-  parameter Mechanics.Units.AngularVelocity w_end = 22 "Wanted speed at the end of first; chosen: above 20 rad/s";
+  parameter Mechanics.Units.AngularVelocity w_end = 21.5 "Wanted speed at the end of first; chosen: above 20 rad/s";
+  parameter Mechanics.Units.Ratio rest = 0.15 "Share of the last torque that remains; chosen: teeth stay in contact";
   parameter Mechanics.Units.Time duration = 0.5 "Duration of a ramp";
   Signals.Interfaces.RealInput w(unit = "rad/s") "Speed of the output shaft";
   Signals.Interfaces.RealOutput y(unit = "N") "Normal force";
   discrete Mechanics.Units.Torque tau_long(start = 0, fixed = true) "Torque from 25 s to 42 s";
-  discrete Mechanics.Units.Torque tau_last(start = 0, fixed = true) "Torque from 42 s to 43.45 s";
+  discrete Mechanics.Units.Torque tau_last(start = 0, fixed = true) "Torque from 42 s to 43.3 s; a share of it remains until 44 s";
 protected
-  constant Mechanics.Units.Time starts[6] = {2, 5.5, 25, 42, 43.45, 44} "Starts of the ramps";
+  constant Mechanics.Units.Time starts[6] = {2, 5.5, 25, 42, 43.3, 44} "Starts of the ramps";
   Mechanics.Units.Ratio rise[6] "Progress of the ramps";
 equation
   // Change of momentum over time, less the mean drag at a speed that falls evenly
@@ -24,12 +25,13 @@ equation
       - c_drag*(w^2 + w*w_first + w_first^2)/3);
   end when;
   when time >= starts[4] then
-    tau_last = max(0, ((J + J_gearbox)*(w - w_end) - pre(tau_long)*duration/2)/(starts[5] - starts[4])
-      - c_drag*(w^2 + w*w_end + w_end^2)/3);
+    tau_last = max(0, ((J + J_gearbox)*(w - w_end) - pre(tau_long)*duration/2)
+      /(starts[5] - starts[4] + rest*(starts[6] - starts[5] - duration/2)) - c_drag*(w^2 + w*w_end + w_end^2)/3);
   end when;
   // Torques are given as forces on slipping plates
   rise = {Mechanics.Functions.smoothStep((time - t)/duration) for t in starts};
-  y = (tau_hold*(rise[1] - rise[2] + rise[6]) + tau_long*(rise[3] - rise[4]) + tau_last*(rise[4] - rise[5]))/(mu*leverArm);
+  y = (tau_hold*(rise[1] - rise[2] + rise[6]) + tau_long*(rise[3] - rise[4])
+    + tau_last*(rise[4] - (1 - rest)*rise[5] - rest*rise[6]))/(mu*leverArm);
   annotation(Documentation(info = "<html>
 <p>Holds the vehicle in park and neutral, and slows it from 25 s on so that it still moves at 44 s. There is no feedback:
 each torque is sized once, from the speed at its start, because the speed depends on the input torque.</p>
