@@ -18,10 +18,10 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
   Mechanics.Rotational.Sources.TorqueSignal engine "Input torque";
   Mechanics.Rotational.Components.ElasticClutch brake(N_f = 2) "Brake on the output shaft";
   Mechanics.Rotational.Components.Fixed case "Case";
-  Signals.Sources.SmoothSteps pressure[6](
-    each times = times,
+  Signals.Sources.SmoothSchedule pressure(
+    times = times,
     values = {{if engaged[row[j], k] then p_on else p_off for j in 1:25} for k in 1:6},
-    each duration = duration) "Schedule of C1, C2, C3, B1, B2, B3";
+    duration = duration) "Schedule of C1, C2, C3, B1, B2, B3";
   Signals.Sources.SmoothSteps torque(times = {2, 6, 25, 47}, values = {tau_in, 0, tau_in, 0, 0}) "Schedule of the input";
   Gearbox.BrakeSchedule brakeForce(
     J = vehicle.inertia.J,
