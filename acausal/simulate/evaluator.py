@@ -139,7 +139,9 @@ class Evaluator:
             return
         self.event()
         self.size()
-        roots, sizes = self.roots[self.located], np.nan_to_num(self.sizes[self.located], posinf=0.0)
+        roots, sizes = self.roots[self.located], self.sizes[self.located]
+        if not np.isfinite(sizes).all():
+            sizes = np.nan_to_num(sizes, posinf=0.0)
         self._sizes = np.maximum(self._sizes, sizes)
         side = np.where(self._above == (self.m[self.located] != 0.0), 1.0, -1.0)
         band = HYSTERESIS * self._sizes

@@ -64,7 +64,8 @@ class NativeSolver:
         self._solver = SolverStructure()
         self._arrays: dict[str, Vector] = {}
         self._robust: Robust | None = None
-        self._operators = operators(evaluator.code.system)
+        rising = [1.0 if op in ("gt", "ge") else -1.0 for op in operators(evaluator.code.system)]
+        self._rising = np.array(rising)
         self._elimination = eliminate(evaluator.code.pattern, evaluator.x.size)
         self._time, self._x = tolerances.start, evaluator.x.copy()
         self._error_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
@@ -286,9 +287,8 @@ class NativeSolver:
         """The sign that each located root has in its mode; 0 for those that are not located."""
         evaluator = self._evaluator
         holds = np.where(evaluator.m != 0, 1.0, -1.0)
-        rising = np.array([1.0 if op in ("gt", "ge") else -1.0 for op in self._operators])
         sides = np.zeros(max(1, evaluator.m.size))
-        sides[evaluator.located] = (holds * rising)[evaluator.located]
+        sides[evaluator.located] = (holds * self._rising)[evaluator.located]
         return sides
 
     def advance(self, target: float, stop: float) -> Arrival:

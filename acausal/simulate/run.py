@@ -116,6 +116,7 @@ class _Loop:
         self.evaluator = evaluator
         self.make_solver = make_solver
         self.solver = make_solver(evaluator) if make_solver is not None else None
+        self._sweeper = self.solver if isinstance(self.solver, Sweeper) else None
         self.options = options
         self.recorder = recorder
         self.guard = EventGuard(evaluator.code.system, options.span)
@@ -181,8 +182,8 @@ class _Loop:
 
     def reach(self, targets: Vector) -> int:
         """Advances over the first of the grid points `targets`; says over how many."""
-        if isinstance(self.solver, Sweeper):
-            return self._sweep(self.solver, targets)
+        if self._sweeper is not None:
+            return self._sweep(self._sweeper, targets)
         self._reach(float(targets[0]))
         return 1
 
@@ -369,6 +370,7 @@ class _Loop:
             self._settling = Settling(self.evaluator, self._ahead)
             self.recorder.go_on_with(self.evaluator)
             self.solver = self.make_solver(self.evaluator)
+            self._sweeper = self.solver if isinstance(self.solver, Sweeper) else None
         self._keep_past()
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.solver is not None:
