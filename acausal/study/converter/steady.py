@@ -27,6 +27,7 @@ _MOST = np.linspace(0.79, 1.65, 10)
 _GRID = 24
 _BISECTIONS = 45
 _EDGE = 30
+_REFINEMENTS = 22
 _CHUNK = 250
 _ACCEPTED = 1e-6
 
@@ -175,7 +176,7 @@ def _at_unit(g: Geometry, wanted: _Wanted, choice: Choice) -> Array:
     rows = np.arange(len(i))
     left, right = nodes[rows, i], nodes[rows, i + 1]
     positive = values[rows, i] > 0
-    for _ in range(_BISECTIONS):
+    for _ in range(_REFINEMENTS):
         middle = (left + right) / 2
         same = (_missed(middle, g, wanted)[0] > 0) == positive
         left, right = np.where(same, middle, left), np.where(same, right, middle)
