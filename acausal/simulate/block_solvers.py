@@ -9,8 +9,9 @@ import numpy as np
 
 from acausal.codegen.linear import CONSISTENT
 from acausal.codegen.program import ImplicitCode
-from acausal.errors import AcausalError
+from acausal.errors import AcausalError, SimulationProblem
 from acausal.simulate import continuation, newton
+from acausal.simulate.bracketing import bracketed
 from acausal.simulate.call import call, residual_and_jacobian
 from acausal.simulate.matrices import (
     Matrix,
@@ -100,7 +101,7 @@ def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) ->
     solution = newton.solve(system, start, nominal, _LOCAL if how.local else newton.MAX_ITERATIONS)
     if solution.converged:
         return solution.z, False
-    continued = None if how.local else continuation.follow(system, start, nominal)
+    continued = None if how.local else _otherwise(system, start, nominal, how)
     if continued is not None:
         return continued.z, True
     residual, jacobian = system(solution.z)
@@ -108,6 +109,14 @@ def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) ->
     if dependent is not None and len(dependent) > 1:
         raise singular(block, dependent, how)
     raise _unsolved(block, solution, residual, start, how)
+
+
+def _otherwise(system: newton.System, start: Vector, nominal: Vector, how: Walk) -> newton.Solution | None:
+    """By a homotopy, or for one unknown by looking around: that first in a run, where a branch may end."""
+    ways = [lambda: continuation.follow(system, start, nominal)]
+    if len(start) == 1:
+        ways.insert(0 if how.kind is SimulationProblem else 1, lambda: bracketed(system, start, nominal))
+    return next((found for way in ways if (found := way()) is not None), None)
 
 
 def _unsolved(

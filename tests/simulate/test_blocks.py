@@ -202,3 +202,24 @@ def test_large_nonlinear_blocks_are_solved_sparse() -> None:
     code = generate(hand_system({"x": 4.0}, [torn(BlockKind.NONLINEAR, names, rows), rate("x", e.neg(z[0]))]))
     guess = initialize(code, 0.0).evaluator.guess
     assert guess**3 + guess == pytest.approx(np.full(n, 4.0))
+
+
+def test_a_switch_finds_its_other_branch() -> None:
+    """An amplifier with positive feedback and no state: where one branch ends, only the other is left."""
+    text = """
+    model Schmitt
+      Real u = 10*sin(6.2831853*time);
+      Real e(start = 1);
+      Real y = smooth(0, noEvent(if 15000*e > 15 then 15 else if 15000*e < -15 then -15 else 15000*e));
+    equation
+      e = (15*u + y)/16;
+    end Schmitt;
+    """
+    result = acausal.loads(text).compile().simulate(stop_time=1.0)
+    u, y = result.values("u"), result.values("y")
+    assert set(np.round(y, 9)) == {15.0, -15.0}
+    falls = u[1:][np.diff(y) < -1]
+    rises = u[1:][np.diff(y) > 1]
+    assert len(falls) == 1
+    assert -1.2 < falls[0] < -1.0
+    assert (rises <= 1.2).all()
