@@ -36,6 +36,11 @@ annotation, with the default solver and tolerance, and compared with these on th
     python -m tests.reference --library DIR --references DIR --version 4.1.0 --table FILE.csv
 
 writes.
+
+Known reasons: `ImpureGenerator` draws from a hidden state, and its sequence is the tool's own. The references
+of 4.0.0 for two examples with noise come from other seeds (of instance names); the same models agree with
+those of 4.1.0. The two examples with an FFT take too long to compile: each amplitude is an expression in all
+samples.
 """
 
 
