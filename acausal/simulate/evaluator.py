@@ -10,6 +10,7 @@ and modes (events, outputs, conditions) uses its solution; `codegen.stitch` give
 from __future__ import annotations
 
 import ctypes
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +53,7 @@ class Evaluator:
         self._sizes = np.full(len(code.located), 1e-3)
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
+        self._settled = self.guess.copy()
         self._walks = 0
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
@@ -200,15 +202,24 @@ class Evaluator:
 
         Raises `SimulationProblem` naming the block or equation that cannot be computed.
         """
-        if self.evaluate() and bool(np.isfinite(self.z).all()):
-            return
-        values = self.explain()
-        slots = self.code.dynamic.slots
-        self.guess[:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
-        if self.evaluate() and bool(np.isfinite(self.z).all()):
-            return
-        self.z[:] = self.guess
-        self.xdot[:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
+        if not (self.evaluate() and bool(np.isfinite(self.z).all())):
+            values = self._explained()
+            slots = self.code.dynamic.slots
+            self.guess[:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
+            if not (self.evaluate() and bool(np.isfinite(self.z).all())):
+                self.z[:] = self.guess
+                self.xdot[:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
+        self._settled[:] = self.z
+
+    def _explained(self) -> Vector:
+        """From the guess, which a trial step may have left far away, else from where blocks were settled."""
+        try:
+            return self.explain()
+        except SimulationProblem:
+            if np.array_equal(self.guess, self._settled):
+                raise
+            self.guess[:] = self._settled
+            return self.explain()
 
     def explain(self) -> Vector:
         """Walks the program at the present point: its values, or the error that names the culprit."""
@@ -224,11 +235,14 @@ class Evaluator:
         """
         self._walks += 1
         inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
-        how = Walk(SimulationProblem, time, self.nominal_of(), self.guess_of(), self._walks > _LONG_WALKS)
-        slots = self.code.dynamic.slots
-        try:
-            values = walk(self.code.dynamic, inputs, how).values
-        except SimulationProblem:
+        settled = dict(zip(map(leaf_name, self.code.dynamic.guesses), self._settled.tolist(), strict=True))
+        slots, values = self.code.dynamic.slots, None
+        for guess, local in ((self.guess_of(), True), (settled, True), (settled, self._walks > _LONG_WALKS)):
+            with suppress(SimulationProblem):
+                how = Walk(SimulationProblem, time, self.nominal_of(), guess, local)
+                values = walk(self.code.dynamic, inputs, how).values
+                break
+        if values is None:
             return False
         found[0][:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
         found[1][:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]

@@ -244,6 +244,25 @@ def test_regulation_circuit_at_a_fixed_step() -> None:
     assert 1e-6 < circuit.linearize(0.55).step_limit("heun") < 1e-5
 
 
+def test_regulation_circuit_of_maps() -> None:
+    """Every regulator at level 5: closed, and while its edges open, trial steps lead the blocks far away."""
+    levels = ", ".join(
+        f"redeclare model {part} = TenSpeed.Valves.Levels.{name}"
+        for part, name in (
+            ("Main", "MainRegulatorL5"),
+            ("Lubrication", "LubricationRegulatorL5"),
+            ("Converter", "ConverterRegulatorL5"),
+            ("Accumulator", "LineAccumulatorL4"),
+        )
+    )
+    text = f"model Maps extends TenSpeed.Benches.RegulationCircuitFlow({levels}); end Maps;"
+    compiled = acausal.loads(text).compile()
+    assert list(compiled.states) == ["accumulator.stage.volume.p"]
+    result, finest = compiled.simulate(stop_time=2.5), run("RegulationCircuitFlow")
+    for name in ("p_line", "p_converter", "p_lubrication"):
+        assert result.values(name)[-1] == pytest.approx(finest.values(name)[-1], rel=2e-3)
+
+
 def test_circuits_agree_when_the_pressure_is_the_one_of_the_flow() -> None:
     """Fed by the pressure that the flow-fed circuit found, the circuit takes that flow."""
     flow = run("RegulationCircuitFlow")
