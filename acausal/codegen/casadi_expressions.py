@@ -19,7 +19,7 @@ from casadi import SX
 from acausal.codegen.kernels import kernel_sx
 from acausal.errors import UnsupportedProblem, fail
 from acausal.symbolic.expressions.expr import EnumValue, Expr, parts
-from acausal.symbolic.expressions.operators import RELATIONS
+from acausal.symbolic.expressions.operators import SWITCHING
 
 FORWARD = {"ad_weight": 0.0}
 """Options that make a CasADi Function differentiate forward only."""
@@ -135,9 +135,6 @@ CONSTRUCTORS: dict[str, _Build] = {
 
 WRAPPERS = frozenset({"noEvent", "smooth"})
 """Below these, relations are computed instead of being events."""
-
-SWITCHING = RELATIONS | {"integer"}
-"""Operators whose value may be given from outside, constant between events."""
 
 
 class Converter:

@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Sequence
 import casadi as ca
 from casadi import SX, Function
 
-from acausal.codegen.casadi_expressions import FORWARD, SWITCHING, Converter, jacobian
+from acausal.codegen.casadi_expressions import FORWARD, Converter, jacobian
 from acausal.codegen.linear import solve_orthogonal, solve_small, solve_switching, term_sizes
 from acausal.codegen.segments import INLINE_LINEAR, expressions, is_implicit, reads
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.operators import SWITCHING
 
 
 def column(parts: Sequence[SX]) -> SX:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from acausal.codegen.casadi_expressions import SWITCHING, WRAPPERS
+from acausal.codegen.casadi_expressions import WRAPPERS
 from acausal.symbolic.causal import Block, BlockKind
 from acausal.symbolic.expressions.expr import Expr, postorder
+from acausal.symbolic.expressions.operators import SWITCHING
 
 INLINE_LINEAR = 3
 """Linear blocks with up to this many tearing variables are solved inside the expression graph."""

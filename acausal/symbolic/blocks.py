@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalEquation, Residual
 from acausal.symbolic.expressions.expr import Expr, fold, sub
+from acausal.symbolic.expressions.operators import SWITCHING
 from acausal.symbolic.graphs.blt import Component, strong_components
 from acausal.symbolic.graphs.matching import Matcher, Matching
 from acausal.symbolic.graphs.tearing import tear
@@ -148,7 +149,7 @@ def is_linear(
 
 
 class _Degrees:
-    """Degrees of nodes, memoised; `frozen`: conditions count as known."""
+    """Degrees of nodes, memoised; `frozen`: relations count as known."""
 
     def __init__(self, *, frozen: bool) -> None:
         self.values: dict[Expr, int] = {}
@@ -160,10 +161,10 @@ class _Degrees:
 
     def _visit(self, node: Expr, args: list[int]) -> int:
         op = node.op
-        if not any(args) or op == "delay" or (op == "integer" and self._frozen):
-            return 0
         if self._frozen and op in ("noEvent", "smooth"):
             return self.inner.of(node)
+        if not any(args) or op == "delay" or (self._frozen and op in SWITCHING):
+            return 0
         if op in _SUMS:
             return max(args)
         if op == "mul":
@@ -171,7 +172,7 @@ class _Degrees:
         if op == "div":
             return 2 if args[1] else args[0]
         if op == "if":
-            return 2 if args[0] and not self._frozen else max(args[1:])
+            return 2 if args[0] else max(args[1:])
         return 2
 
 

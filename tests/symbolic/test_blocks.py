@@ -128,6 +128,14 @@ def test_equality_of_reals_is_refused() -> None:
     causalise(model("der(x) = if integer(x) == integer(time) then 1.5 else 2"))
 
 
+def test_a_loop_with_a_condition_without_event_is_nonlinear() -> None:
+    clipped = "z = if noEvent(y > 2) then 2 else if noEvent(y < -2) then -2 else y"
+    system = causalise(model("der(x) = z", "2*y = x - z", clipped))
+    assert BlockKind.NONLINEAR in kinds(system)
+    assert run(system, {"x": 9.0})["z"] == pytest.approx(2.0)
+    assert run(system, {"x": 3.0})["z"] == pytest.approx(1.0)
+
+
 @st.composite
 def linear_systems(draw: st.DrawFn) -> list[str]:
     """Diagonally dominant linear equations with a sparse pattern, shuffled and some negated."""

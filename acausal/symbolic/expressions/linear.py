@@ -1,9 +1,9 @@
 """Exact linearity: `a*x + b` taken apart, and which leaves an expression is linear in.
 
-Switching: with `frozen=True` the condition of an `if` counts as known even where it holds the unknown, which
-is right outside `noEvent` and `smooth`, because there its relations are modes that stay constant between
-events. So does `integer` of anything. Inside them, and with `frozen=False`, a condition holding the unknown
-makes the `if` nonlinear.
+Switching: with `frozen=True` a relation counts as known even where it holds the unknown, which is right
+outside `noEvent` and `smooth`, because there relations are modes that stay constant between events. So does
+`integer` of anything. Inside them, and with `frozen=False`, a condition holding the unknown makes its `if`
+nonlinear.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from acausal.symbolic.expressions.expr import (
     no_event,
     smooth,
 )
+from acausal.symbolic.expressions.operators import SWITCHING
 
 _LEAVES = frozenset({"sym", "der", "pre"})
 
@@ -51,10 +52,8 @@ def _parts(node: Expr, args: list[Parts | None], leaf: Expr, *, frozen: bool) ->
         return (ONE, ZERO) if node is leaf else (ZERO, node)
     if node.op == "derived":
         args = args[:1]
-    if node.op == "delay" or (node.op == "integer" and frozen):
+    if node.op == "delay" or (frozen and node.op in SWITCHING):
         return (ZERO, node)
-    if node.op == "if" and frozen:
-        args = [(ZERO, node.args[0]), *args[1:]]
     known: list[Parts] = []
     for part in args:
         if part is None:
@@ -132,7 +131,7 @@ def slopes(root: Expr, *, frozen: bool = True) -> Slopes:
     """For every leaf of `root`, in order of appearance, its coefficient, or None if root is not linear in it.
 
     Linear in each leaf by itself: `x*y` gives y for x and x for y. With `frozen`, leaves that occur only in
-    conditions outside `noEvent` and `smooth` do not appear: nothing can be solved for them. One pass over the
+    relations outside `noEvent` and `smooth` do not appear: nothing can be solved for them. One pass over the
     nodes; O(nodes * leaves) at worst, O(nodes) for sums.
     """
     strict: dict[Expr, Slopes] = {}
@@ -154,7 +153,7 @@ def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
         return {node: ONE}
     if op == "derived":
         return args[0]
-    if op == "delay" or (op == "integer" and frozen) or not any(args):
+    if op == "delay" or (frozen and op in SWITCHING) or not any(args):
         return _NOTHING
     if op == "add":
         return _sum_slopes(args)
@@ -171,7 +170,7 @@ def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
         }
         return {**top, **dict.fromkeys(args[1])}
     if op == "if":
-        return _if_slopes(node, args, frozen=frozen)
+        return _if_slopes(node, args)
     if op in ("noEvent", "smooth"):
         return args[0]
     return {leaf: None for inner in args for leaf in inner}
@@ -200,12 +199,10 @@ def _product_slopes(node: Expr, args: list[Slopes]) -> Slopes:
     return result
 
 
-def _if_slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
+def _if_slopes(node: Expr, args: list[Slopes]) -> Slopes:
     condition, then, otherwise = args
     result: Slopes = {}
     for leaf in (*then, *otherwise):
         a, b = then.get(leaf, ZERO), otherwise.get(leaf, ZERO)
         result[leaf] = None if a is None or b is None else if_then_else(node.args[0], a, b)
-    if not frozen:
-        result.update(dict.fromkeys(condition))
-    return result
+    return {**result, **dict.fromkeys(condition)}

@@ -177,6 +177,8 @@ _TABLE = (
 
 OPERATORS: dict[str, Operator] = {entry.name: entry for entry in _TABLE}
 RELATIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
+SWITCHING = RELATIONS | {"integer"}
+"""Operators whose value outside `noEvent` and `smooth` is a mode, constant between events."""
 NEGATED_RELATION = {"lt": "ge", "le": "gt", "gt": "le", "ge": "lt", "eq": "ne", "ne": "eq"}
 KNOWN_AT_EVENTS = frozenset({"initial", "terminal", "sample", "trigger", "delay"})
 """Operators whose value comes from the course of the simulation: nothing is solved for what they hold."""

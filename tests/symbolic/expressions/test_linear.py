@@ -63,6 +63,12 @@ def test_a_condition_is_known_where_its_relation_is_a_mode() -> None:
     assert parts(f"noEvent({text})", frozen=True) is None
 
 
+def test_a_condition_without_event_is_no_mode() -> None:
+    text = "if noEvent(x > 0) then 2*x else x + y"
+    assert parts(text, frozen=True) is None
+    assert slopes(read(text))[X] is None
+
+
 def test_several_leaves() -> None:
     found = linear_parts(read("2*x + k*y + c"), [X, Y])
     assert found is not None
