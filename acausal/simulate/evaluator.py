@@ -32,6 +32,8 @@ HYSTERESIS = 1e-10
 _CLEAR, _REST = 1e-11, 0.1
 _LONG_WALKS = 200
 """So many times a run solves its blocks by homotopy, if need be."""
+_IN_VAIN = 5
+"""After so many failures in a row it no longer does."""
 
 
 class Evaluator:
@@ -54,7 +56,7 @@ class Evaluator:
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
         self._settled = self.guess.copy()
-        self._walks = 0
+        self._walks, self._in_vain = 0, 0
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
         self.x_nominal = _positive(nominal[0].ravel())
@@ -237,11 +239,15 @@ class Evaluator:
         inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
         settled = dict(zip(map(leaf_name, self.code.dynamic.guesses), self._settled.tolist(), strict=True))
         slots, values = self.code.dynamic.slots, None
-        for guess, local in ((self.guess_of(), True), (settled, True), (settled, self._walks > _LONG_WALKS)):
+        attempts = [(self.guess_of(), True), (settled, True)]
+        if self._walks <= _LONG_WALKS and self._in_vain < _IN_VAIN:
+            attempts.append((settled, False))
+        for guess, local in attempts:
             with suppress(SimulationProblem):
                 how = Walk(SimulationProblem, time, self.nominal_of(), guess, local)
                 values = walk(self.code.dynamic, inputs, how).values
                 break
+        self._in_vain = self._in_vain + 1 if values is None else 0
         if values is None:
             return False
         found[0][:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]

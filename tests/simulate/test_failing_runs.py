@@ -14,7 +14,7 @@ MODELS = {
     "infinite": ("der(x) = 1 / (0.5 - time);", "simulate."),
     "logarithm": ("der(x) = log(x - 0.9) - 1;", "simulate.not-finite"),
     "root": ("z = sqrt(0.5 - time); der(x) = -z;", "simulate.not-finite"),
-    "loop": ("z * z + z ^ 3 * 1e-9 = 0.5 - time; der(x) = z;", "simulate.no-solution"),
+    "loop": ("z * z + z ^ 4 * 1e-9 = 0.5 - time; der(x) = z;", "simulate.no-solution"),
     "sliding": ("der(x) = noEvent(if x > 0 then -1 else 1);", "simulate.step-collapse"),
     "chatter": ("der(x) = -1e6 * noEvent(sign(x - time));", "simulate.step-collapse"),
 }

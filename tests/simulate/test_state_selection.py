@@ -9,7 +9,7 @@ import pytest
 
 import acausal
 from acausal.api import CompiledModel
-from acausal.errors import SimulationProblem
+from acausal.errors import ReductionProblem, SimulationProblem
 from acausal.simulate import reselect
 from acausal.simulate.result import Result
 
@@ -89,14 +89,20 @@ def test_a_coarse_output_grid_does_not_hide_a_bad_choice() -> None:
 
 @pytest.mark.parametrize("select", ["prefer", "always", "avoid", "never"])
 def test_a_wish_for_states_decides_at_the_start_only(select: str) -> None:
-    """With `always` there is nothing else to choose: the run goes on as long as the choice can be solved."""
+    """With `always` there is nothing else to choose: the run goes on as long as the choice can be solved.
+
+    With `never` it ends where nothing else can be the state.
+    """
     states = f"Real x(start = 1, stateSelect = StateSelect.{select}), vx(start = 2), y(start = -1.1), vy"
     compiled = pendulum(states)
     expected = ("x", "vx") if select in ("prefer", "always") else ("y", "vy")
     assert set(compiled.states) == set(expected)
     run = compiled.simulate(stop_time=0.2, rtol=1e-8)
     assert drift(run) < 1e-3
-    if select != "always":
+    if select == "never":
+        with pytest.raises(ReductionProblem, match=r"nothing else can be the state"):
+            compiled.simulate(stop_time=10.0, rtol=1e-8)
+    elif select != "always":
         assert drift(compiled.simulate(stop_time=10.0, rtol=1e-8)) < 1e-3
 
 
