@@ -110,8 +110,10 @@ def test_step_response(case: Case) -> None:
     expected = reference.solve(case.model, case.start, case.stop, 201)
     compiled = acausal.load(f"TenSpeed.Benches.{case.bench}").compile(case.changes)
     result = compiled.simulate(rtol=1e-8, stop_time=case.stop, interval=case.stop / 200)
+    times = np.linspace(0, case.stop, 201)
     for variable, values in zip(case.variables, expected.values(), strict=True):
-        error = float(np.max(np.abs(result.values(variable) - values)))
+        found = np.interp(times, result.time, result.values(variable))  # events are stored twice
+        error = float(np.max(np.abs(found - values)))
         assert error <= 1e-4 * float(np.max(np.abs(values))), (variable, error)
 
 
@@ -154,6 +156,8 @@ def test_main_regulator_follows_the_hand_written_equations() -> None:
     result = compiled.simulate(rtol=1e-8, stop_time=0.25, interval=0.001)
     names = ("s", "valve.stage.valve.spool.v", "valve.stage.valve.feedbackChamber.p")
     names += ("valve.stage.valve.pilotChamber.p", "p_line")
+    times = np.linspace(0, 0.25, 251)
     for variable, values in zip(names, expected.states, strict=True):
         scale = float(np.max(np.abs(values)))
-        assert np.allclose(result.values(variable), values, rtol=0, atol=2e-5 * scale), variable
+        found = np.interp(times, result.time, result.values(variable))
+        assert np.allclose(found, values, rtol=0, atol=2e-5 * scale), variable

@@ -170,6 +170,13 @@ def test_switch_valves_switch_at_their_threshold(name: str, level: int) -> None:
         assert drained[open_[0] + 100] > 0.5 * drained.max()
 
 
+@pytest.mark.parametrize("name", ["SwitchValveL4", "LinearSolenoidL4"])
+def test_no_solver_steps_over_a_pulse_of_the_command(name: str) -> None:
+    """At rest steps grow without bound; the start of each ramp ends them."""
+    runs = [bench(name).simulate(solver=solver, interval=0.02) for solver in ("cvode", "rodas")]
+    assert np.allclose(runs[0].values("p_out"), runs[1].values("p_out"), rtol=0.01)
+
+
 def test_lockup_control_follows_its_command() -> None:
     finest = at(run("LockupControlL1"), "p_out", PLATEAUS) - P_0
     assert np.all(finest[:2] < 100)

@@ -106,3 +106,15 @@ def test_a_single_pressure_and_a_window() -> None:
             engagements(alone, start=wrong[0], end=wrong[1])
     with pytest.raises(UsageProblem, match="pressure"):
         engagements(Table({"time": np.arange(3.0)}))
+
+
+def test_what_is_not_a_number_is_named() -> None:
+    time = np.linspace(0, 1, 11)
+    broken = np.where(time > 0.45, np.nan, time)
+    sweep = Table({"time": time, "speedRatio": time, "torqueRatio": broken, "capacityFactor": time})
+    with pytest.raises(UsageProblem, match=r"metrics\.not-a-number") as problem:
+        curves(sweep)
+    assert problem.value.diagnostics[0].names == ("torqueRatio",)
+    clutch = Table({"time": time, "current": time, "pressure": time, "position": broken})
+    with pytest.raises(UsageProblem, match=r"`position` is not a number at 0\.5 s"):
+        engagements(clutch)

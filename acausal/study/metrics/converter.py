@@ -56,7 +56,7 @@ class ConverterFigures:
 def curves(table: Table) -> Curves:
     """The sweep of a result with `speedRatio`, `torqueRatio`, `capacityFactor`.
 
-    Raises UsageProblem `metrics.missing-signal`, `metrics.no-sweep`.
+    Raises UsageProblem `metrics.missing-signal`, `metrics.not-a-number`, `metrics.no-sweep`.
     """
     ratio, torque, capacity = (
         table.trace(name).values for name in ("speedRatio", "torqueRatio", "capacityFactor")

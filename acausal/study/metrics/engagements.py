@@ -32,7 +32,7 @@ def engagements(
 
     `stop` (m) is where the piston has reached its end stop: by default 98 % of its travel in the window from
     `start` to `end` (s), which is the whole result by default. Raises UsageProblem `metrics.missing-signal`,
-    `metrics.no-window`.
+    `metrics.not-a-number`, `metrics.no-window`.
     """
     time = table.columns["time"]
     first = float(time[0]) if start is None else start
@@ -53,8 +53,8 @@ def engagements(
     found: list[NamedEngagement] = []
     for suffix in suffixes:
         pressure, command = (table.trace(f"{kind}{suffix}") for kind in ("pressure", "current"))
-        position = table.columns.get(f"position{suffix}")
-        piston = None if position is None else Trace(time, position).between(first, last)
+        position = f"position{suffix}"
+        piston = table.trace(position).between(first, last) if position in table.columns else None
         reached = _end_of_travel(piston) if stop is None else stop
         figures = engagement(command.between(first, last), pressure.between(first, last), piston, reached)
         found.append(NamedEngagement(suffix.removeprefix("_"), figures))

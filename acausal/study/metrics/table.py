@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from acausal.errors import UsageProblem, fail
 from acausal.results.stored import read_result
 from acausal.study.metrics.traces import Trace, Vector
@@ -18,7 +20,7 @@ class Table:
     columns: Mapping[str, Vector]
 
     def trace(self, name: str) -> Trace:
-        """One signal. Raises UsageProblem `metrics.missing-signal`."""
+        """One signal. Raises UsageProblem `metrics.missing-signal`, `metrics.not-a-number`."""
         if name not in self.columns:
             raise fail(
                 UsageProblem,
@@ -27,7 +29,16 @@ class Table:
                 names=[name],
                 hint=f"store it: acausal simulate ... -v {name}",
             )
-        return Trace(self.columns["time"], self.columns[name])
+        time, values = self.columns["time"], self.columns[name]
+        if np.isnan(values).any():
+            raise fail(
+                UsageProblem,
+                "metrics.not-a-number",
+                f"`{name}` is not a number at {float(time[np.isnan(values)][0]):g} s",
+                names=[name],
+                hint="measure a result that is complete",
+            )
+        return Trace(time, values)
 
     def traces(self, prefix: str) -> dict[str, Trace]:
         """All signals whose name begins with `prefix`, by the rest of their names."""
