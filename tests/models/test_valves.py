@@ -228,6 +228,13 @@ def test_benches_run_with_the_other_supply(
     assert found[0] == pytest.approx(pressure, rel=0.02)
 
 
+def test_a_bench_at_a_pressure_takes_a_flow_by_redeclaration() -> None:
+    source = "redeclare Hydraulics.Sources.FlowSource supply(q_start = 5e-4)"
+    for name, states in (("MainRegulatorPressureL3", 4), ("RegulationCircuitPressure", 17)):
+        compiled = acausal.loads(f"model F extends TenSpeed.Benches.{name}({source}); end F;").compile()
+        assert len(compiled.states) == states
+
+
 def test_accumulator_takes_oil() -> None:
     result = run("LineAccumulatorL1")
     rise = result.values("m_oil")[-1] - result.values("m_oil")[0]
