@@ -97,7 +97,7 @@ def parsed(at: At, began: float) -> tuple[float, str]:
     how, _, text = at.partition("@") if isinstance(at, str) else ("", "", "")
     try:
         time = began if at in ("initial", "steady") else float(text if how == "steady" else at)
-    except ValueError:
+    except (TypeError, ValueError):
         time = inf
     if began <= time < inf:
         return time, how

@@ -196,13 +196,16 @@ class Snapshot:
     ) -> Bode:
         """Frequency responses; `frequency` in Hz. Without outputs: the declared ones, else the states.
 
-        Raises UsageProblem `eigen.unknown-signal`, and `eigen.no-input` for a model without inputs.
+        Raises UsageProblem `eigen.unknown-signal`, `eigen.frequency`, and `eigen.no-input` for a model
+        without inputs.
         """
         rows, columns = self._outputs(outputs), self._inputs(inputs)
         if not columns:
             hint = "declare what acts on it as an input of the model"
             raise fail(UsageProblem, "eigen.no-input", f"{self.model} has no inputs", hint=hint)
         chosen = default_frequencies(self.eigenvalues) if frequency is None else np.asarray(frequency, float)
+        if chosen.ndim != 1 or not chosen.size or not (np.isfinite(chosen) & (chosen >= 0)).all():
+            raise fail(UsageProblem, "eigen.frequency", "frequencies must be numbers from 0 Hz on")
         return bode(f"{self.model} at {self.time:g} s", self.matrices, rows, columns, chosen)
 
     def response(self, output: str, source: str, frequencies: Sequence[float] | Matrix) -> Complex:

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from acausal.export.names import literal, literals
 from acausal.export.plan import Plan, ProgramPlan, SegmentPlan, place_text
-from acausal.lang.flat import Assertion
+from acausal.export.tunables import kind_of
+from acausal.lang.flat import Assertion, Variable
 from acausal.runtime.binding import METHODS
 from acausal.simulate.messages import leaf_name
 from acausal.symbolic.causal import Residual
@@ -186,14 +187,19 @@ def _texts(plan: Plan, tables: Tables) -> Iterator[_Field]:
         yield name, tables.texts(name, values)
     variables = {
         "state": [(name, by_name[name].unit if name in by_name else "") for name in system.states],
-        "input": [(variable.name, variable.unit) for variable in system.flat.inputs],
         "variable": list(zip(plan.outputs.names, plan.outputs.units, strict=True)),
     }
     for name, pairs in variables.items():
-        rows = [f"{{{literal(variable)}, {literal(unit)}}}" for variable, unit in pairs]
+        rows = [f"{{{literal(variable)}, {literal(unit)}, 0, 0}}" for variable, unit in pairs]
         yield name, tables.rows("ac_variable", f"{name}s", rows)
+    yield "input", tables.rows("ac_variable", "inputs", [_input(v) for v in system.flat.inputs])
     yield from _notices(plan, tables)
     yield "tunable", tables.rows("ac_tunable", "tunables", list(_tunables(plan, tables)))
+
+
+def _input(variable: Variable) -> str:
+    name, unit = literal(variable.name), literal(variable.unit)
+    return f"{{{name}, {unit}, {kind_of(variable)}, {len(variable.type.literals)}}}"
 
 
 def _check_text(check: Residual) -> str:

@@ -85,8 +85,13 @@ def _named(code: Code, name: str) -> Tunable:
 
 
 def _tunable(variable: Variable, position: int) -> Tunable:
+    unit = "" if variable.type.is_enumeration else variable.unit
+    return Tunable(variable.name, unit, kind_of(variable), position, False, tuple(variable.type.literals))
+
+
+def kind_of(variable: Variable) -> int:
+    """The number of its type in C."""
     kind = variable.type
     if kind.is_enumeration:
-        return Tunable(variable.name, "", ENUMERATION_KIND, position, False, tuple(kind.literals))
-    number = BOOLEAN_KIND if kind == BOOLEAN else INTEGER_KIND if kind == INTEGER else REAL_KIND
-    return Tunable(variable.name, variable.unit, number, position, False)
+        return ENUMERATION_KIND
+    return BOOLEAN_KIND if kind == BOOLEAN else INTEGER_KIND if kind == INTEGER else REAL_KIND

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import replace
+
 import numpy as np
 
 from acausal.errors import AcausalError, SimulationProblem, fail
@@ -13,6 +17,10 @@ from acausal.simulate.solver import Tolerances
 
 COLLAPSED = -1000
 
+_EXPLICIT = ("euler", "ab2", "heun", "rk3", "dopri5")
+_GROWTH = ("not-finite", "no-solution", "no-convergence", "singular")
+"""How the codes of errors end that states without bound lead to."""
+
 _CAUSES = {
     COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
     binding.STEP_TOO_SMALL: ("simulate.step-too-small", "the error test failed with the smallest step"),
@@ -20,6 +28,23 @@ _CAUSES = {
     binding.SINGULAR: ("simulate.singular-step", "the matrix of an implicit step was singular"),
     binding.NOT_FINITE: ("simulate.not-finite", "something was not a number with the smallest step too"),
 }
+
+
+@contextmanager
+def advising(method: str, step: float) -> Generator[None, None, None]:
+    """Adds to errors inside it, where explicit steps have one length, that the length may be the reason."""
+    try:
+        yield
+    except AcausalError as error:
+        if method not in _EXPLICIT or not error.codes[0].endswith(_GROWTH):
+            raise
+        advice = (
+            f"the step of {step:g} s may exceed the stability limit of {method}: try a shorter step or the "
+            "solver lieuler or rosenbrock; `acausal eigen` prints the limits"
+        )
+        first, *others = error.diagnostics
+        hint = f"{first.hint}; {advice}" if first.hint else advice
+        raise type(error)([replace(first, hint=hint), *others]) from error.__cause__
 
 
 def failure(evaluator: Evaluator, limits: Tolerances, status: int, time: float, x: Vector) -> AcausalError:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from acausal.codegen.functions import Code
 from acausal.errors import AcausalError, LookupProblem, SimulationProblem, UsageProblem, fail
-from acausal.lang.flat import REAL, Variable
+from acausal.lang.flat import BOOLEAN, REAL, Variable
 from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, number
@@ -178,6 +178,12 @@ def _function(
         constant = _as_float(variable, value)
         if not math.isfinite(constant):
             raise _wrong(variable, f"{constant} is no value")
+        if variable.type == BOOLEAN and constant not in (0.0, 1.0):
+            raise _wrong(variable, f"it is a Boolean, and {constant:g} is neither true nor false")
+        if variable.type != REAL and not constant.is_integer():
+            raise _wrong(variable, f"it is a {variable.type}, and {constant:g} is no whole number")
+        if variable.type.is_enumeration and not 1 <= constant <= len(variable.type.literals):
+            raise _wrong(variable, f"{constant:g} is the number of no literal of {variable.type}")
         return constant
     if variable.type != REAL:
         raise _wrong(variable, f"it is a {variable.type}, and only a constant can be given for it")

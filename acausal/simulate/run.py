@@ -14,6 +14,7 @@ from acausal.errors import AcausalError
 from acausal.simulate.costs import Costs, StateCost
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, crossed_modes, operators
+from acausal.simulate.failures import advising
 from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
 from acausal.simulate.record import Ending, Recorder
@@ -176,7 +177,8 @@ class _Loop:
     def pace(self, targets: Vector) -> int:
         """As `reach`, and notes whether it was interrupted."""
         self._between = False
-        done = self.reach(targets)
+        with advising(self.options.solver if self._x.size else "", self.options.step):
+            done = self.reach(targets)
         self._between = True
         return done
 

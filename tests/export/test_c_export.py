@@ -160,6 +160,41 @@ def test_wrong_requests_of_the_program(loop: Built) -> None:
         assert loop.run(*words, code=2).stderr.startswith("error: ")
 
 
+TYPED = """
+model Typed
+  input Real u(start = 0), w(start = 0); input Boolean on(start = false); input Integer n(start = 0);
+  parameter Real k = 1;
+  Real x(start = 1, fixed = true);
+equation
+  der(x) = -1e4 * k * x ^ 3 + u + w + (if on then 1 else 0) + n;
+end Typed;
+"""
+
+
+@needs_compiler
+def test_wrong_tables_and_inputs_under_sanitizers(tmp_path: Path) -> None:
+    flags = ("-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    program = exported(compiled(TYPED), tmp_path, *flags, solver="lieuler", step=0.01, tunable=["k"])
+    tables = {
+        "u,w\n0,1\n1,1\n": "first column",
+        "time,u,u\n0,1,1\n0.5,0,1\n1,1,1\n": "named twice: u",
+        "time,u\n0,1\n1,2,3\n": "times must increase",
+        "time,u\n0,1\n0,2\n1,3\n": "times must increase",
+    }
+    for text, message in tables.items():
+        (tmp_path / "t.csv").write_text(text, encoding="utf-8")
+        assert message in program.run("-t", "t.csv", code=2).stderr
+    (tmp_path / "t.csv").write_text("time,on\n0,0\n1,1\n", encoding="utf-8")
+    assert "input on is no Real" in program.run("-t", "t.csv", code=1).stderr
+    assert "true or false" in program.run("-u", "on=2", code=1).stderr
+    assert "a whole number" in program.run("-u", "n=1.5", code=1).stderr
+    (tmp_path / "t.csv").write_text("time,u,w\n0,1,0\n0.5,0,1\n1,1,0\n", encoding="utf-8")
+    (tmp_path / "p.csv").write_text("\ufeffk\n1\n2\n", encoding="utf-8")
+    assert program.run("-p", "p.csv", "-t", "t.csv").stdout.count(",ok,") == 2
+    assert "may exceed the stability limit" in program.run("--solver", "heun", code=1).stderr
+    assert "no such solver: foo" in program.run("--solver", "foo", code=2).stderr
+
+
 def test_only_the_program_may_use_the_heap() -> None:
     files = export_c(compiled(HYBRID).code, step=1e-3).files
     assert [path for path, text in files.items() if "alloc(" in text] == ["main.c"]

@@ -80,3 +80,18 @@ def test_number_of_steps_is_limited() -> None:
     with pytest.raises(SimulationProblem, match="too many steps") as caught:
         simulate(code, stop_time=10.0, max_steps=5000)
     assert caught.value.codes == ("simulate.too-many-steps",)
+
+
+@pytest.mark.parametrize("solver", ["euler", "ab2", "heun", "rk3", "dopri5", "lieuler"])
+@pytest.mark.parametrize("interval", [0.01, 1.0])
+def test_a_run_that_explodes_says_that_the_step_may_be_too_long(solver: str, interval: float) -> None:
+    text = "model M Real x(start = 1, fixed = true); equation der(x) = -1e4 * x ^ 3; end M;"
+    compiled = acausal.loads(text).compile()
+    if solver == "lieuler":
+        assert abs(compiled.simulate(solver=solver, step=0.01, interval=interval).values("x")[-1]) < 0.1
+        return
+    with pytest.raises(SimulationProblem) as caught:
+        compiled.simulate(solver=solver, step=0.01, interval=interval)
+    hint = caught.value.diagnostics[0].hint
+    assert f"the step of 0.01 s may exceed the stability limit of {solver}" in hint
+    assert "acausal eigen" in hint

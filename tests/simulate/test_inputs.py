@@ -171,3 +171,18 @@ def test_function_that_fails_on_the_way_is_named() -> None:
         run({"u": failing})
     with pytest.raises(SimulationProblem, match=r"input `u` returned nan at time 0 s"):
         run({"u": lambda _: math.nan})
+
+
+TYPED = """model M
+  input Boolean on(start = false); input Integer n(start = 0);
+  Real x = if on then 1 else n;
+end M;"""
+
+
+@pytest.mark.parametrize(
+    ("given", "why"), [({"on": 2}, "neither true nor false"), ({"n": 1.5}, "no whole number")]
+)
+def test_constants_are_of_the_type_of_the_input(given: dict[str, float], why: str) -> None:
+    compiled = acausal.loads(TYPED).compile()
+    with pytest.raises(UsageProblem, match=why):
+        compiled.simulate(inputs=given)

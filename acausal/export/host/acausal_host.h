@@ -45,6 +45,7 @@ typedef struct {
 
 typedef struct {
     const char *name, *unit;
+    int type, literals; /* of inputs */
 } ac_variable;
 
 /* What is said where a condition fails. */
@@ -150,6 +151,9 @@ void ac_attach(ac_run *r, const ac_plan *plan, double *numbers, int *ints, ac_lo
                double **res, ac_series *inputs);
 /* Sets a tunable parameter or start value (`index` counts the tunables). 0, or AC_FAILED with a message. */
 int ac_set(ac_run *r, int index, double value);
+/* Whether a number is one of a type, and what the type wants. */
+int ac_is_number_of(int type, int literals, double value);
+const char *ac_wanted(int type);
 /* The default settings of the model. */
 void ac_defaults(const ac_plan *plan, ac_settings *settings);
 /* Solves the initial problem and settles the first event. */

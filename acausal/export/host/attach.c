@@ -238,26 +238,31 @@ void ac_attach(ac_run *r, const ac_plan *plan, double *numbers_of, int *ints_of,
     }
 }
 
-static int is_number_of(const ac_tunable *t, double value)
+int ac_is_number_of(int type, int literals, double value)
 {
-    switch (t->type) {
+    switch (type) {
     case AC_BOOLEAN:
         return value == 0.0 || value == 1.0;
     case AC_INTEGER:
         return value == floor(value);
     case AC_ENUMERATION:
-        return value == floor(value) && value >= 1.0 && value <= (double)t->literals;
+        return value == floor(value) && value >= 1.0 && value <= (double)literals;
     default:
         return 1;
     }
 }
 
+const char *ac_wanted(int type)
+{
+    static const char *const wanted[4] = {"a finite number", "a whole number", "true or false", "one of its literals"};
+    return wanted[type];
+}
+
 int ac_set(ac_run *r, int index, double value)
 {
     const ac_tunable *t = &r->plan->tunable[index];
-    if (!isfinite(value) || !is_number_of(t, value)) {
-        static const char *const wanted[4] = {"a finite number", "a whole number", "true or false", "one of its literals"};
-        return ac_say(r, AC_FAILED, "%.6g is no value for %s: it must be %s", value, t->name, wanted[t->type]);
+    if (!isfinite(value) || !ac_is_number_of(t->type, t->literals, value)) {
+        return ac_say(r, AC_FAILED, "%.6g is no value for %s: it must be %s", value, t->name, ac_wanted(t->type));
     }
     if (t->is_start) {
         r->s_given[t->position] = value;

@@ -7,6 +7,7 @@
 int csv_line(FILE *file, char *line, int size)
 {
     size_t length = 0;
+    int first = ftell(file) == 0;
     while (length == 0) {
         if (fgets(line, size, file) == NULL) {
             return 0;
@@ -18,6 +19,11 @@ int csv_line(FILE *file, char *line, int size)
         while (length > 0 && (line[length - 1] == '\n' || line[length - 1] == '\r')) {
             line[--length] = '\0';
         }
+        if (first && strncmp(line, "\357\273\277", 3) == 0) { /* the mark that some programs put before UTF-8 */
+            length -= 3;
+            memmove(line, line + 3, length + 1);
+        }
+        first = 0;
     }
     return 1;
 }

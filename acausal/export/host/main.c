@@ -218,6 +218,7 @@ static int constant(request *q, const char *text)
 static void series(ac_series *s, double *kinks, double *time, double *value, int count)
 {
     s->given = 1;
+    s->kinks = 0;
     s->count = count;
     s->time = time;
     s->value = value;
@@ -240,19 +241,22 @@ static int samples(request *q, FILE *file, int which[], int width, int most)
         char *rest = line;
         for (int k = 0; k <= width; k++) {
             char *text = csv_field(&rest);
-            double *to = memory + k * most + count;
+            double *to = memory + (size_t)k * (size_t)most + count;
             fine = fine && text != NULL && csv_number(text, to) && isfinite(*to);
         }
+        fine = fine && rest == NULL;
         fine = fine && (count == 0 || memory[count] > memory[count - 1]);
         count++;
     }
     double slack = 1e-9 * fmax(q->settings.stop_time - q->settings.start_time, fabs(q->settings.stop_time));
     if (!fine || count < 2 || memory[0] > q->settings.start_time + slack ||
         memory[count - 1] < q->settings.stop_time - slack) {
+        free(memory);
         return complain("times must increase and cover the run, and all fields be numbers, in", q->inputs);
     }
     for (int k = 1; k <= width; k++) {
-        series(&q->given[which[k]], memory + (width + k) * most, memory, memory + k * most, count);
+        series(&q->given[which[k]], memory + (size_t)(width + k) * (size_t)most, memory, memory + (size_t)k * (size_t)most,
+               count);
     }
     return 0; /* the samples live as long as the program does */
 }
@@ -278,9 +282,14 @@ static int inputs(request *q)
     for (char *name = csv_field(&rest); name != NULL; name = csv_field(&rest)) {
         width++;
         which[width] = width > 0 && width <= MODEL_INPUTS ? input_of(name, strlen(name)) : -1;
-        if (width > MODEL_INPUTS || (width > 0 && which[width] < 0)) {
+        int fine = width == 0 ? strcmp(name, "time") == 0 : width <= MODEL_INPUTS && which[width] >= 0;
+        for (int k = 1; fine && k < width; k++) {
+            fine = which[k] != which[width];
+        }
+        if (!fine) {
             (void)fclose(file);
-            return complain("the model has no input", name);
+            return complain(width == 0 ? "the first column must be `time`, not" : "this is no input, or it is named twice:",
+                            name);
         }
     }
     int code = width > 0 ? samples(q, file, which, width, most) : complain("there are no inputs in", q->inputs);
@@ -326,7 +335,10 @@ static int setting(request *q, const char *name, const char *value)
         q->settings.locate = value[0] == 'l';
         return 0;
     }
-    return complain("there is no such option or value:", name);
+    if (strcmp(name, "--solver") == 0 || strcmp(name, "--events") == 0) {
+        return complain(name[2] == 's' ? "there is no such solver:" : "events are handled by `locate` or `step`, not:", value);
+    }
+    return complain("there is no such option, see --help:", name);
 }
 
 static int asked(request *q, int count, char *const words[])
@@ -335,6 +347,9 @@ static int asked(request *q, int count, char *const words[])
         const char *word = words[i];
         const char *value = i + 1 < count ? words[i + 1] : NULL;
         int code = 0;
+        if (word[0] != '-') {
+            return complain("there is no such option, see --help:", word);
+        }
         if (value == NULL) {
             return complain("this option needs a value:", word);
         }

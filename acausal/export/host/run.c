@@ -1,6 +1,7 @@
 /* A run: from one output time to the next, stopping at events. */
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "acausal_host.h"
@@ -38,6 +39,18 @@ static void warned(ac_run *r, int i, double time, const ac_notice *notice)
     r->warned[i] = 1;
 }
 
+/* Explicit steps that are too long let states grow without bound. */
+static int advised(ac_run *r, int code)
+{
+    static const char *const text = "; the step of %g s may exceed the stability limit of the explicit method: "
+                                    "try a shorter step, or the solver lieuler or rosenbrock";
+    size_t length = strlen(r->message);
+    if (r->plan->states > 0 && r->solver.method >= AC_EULER && r->solver.method <= AC_DOPRI5 && length < sizeof r->message) {
+        (void)snprintf(r->message + length, sizeof r->message - length, text, r->settings.step);
+    }
+    return code;
+}
+
 /* Evaluates the outputs, looks at assertions and hands the row over. */
 int ac_record(ac_run *r, double time, const double *x)
 {
@@ -51,7 +64,7 @@ int ac_record(ac_run *r, double time, const double *x)
     if (!ac_finite(m->row, plan->outputs)) {
         int code = ac_settled(r);
         if (code != 0) {
-            return code;
+            return time > r->settings.start_time ? advised(r, code) : code;
         }
         (void)ac_call(&m->output);
         for (int i = 0; i < plan->outputs; i++) {
@@ -315,7 +328,7 @@ static int failed(ac_run *r, int code)
         ac_at(r, m->t[0], m->x);
         found = ac_settled(r);
         if (found != 0) {
-            return found;
+            return advised(r, found);
         }
     }
     const char *why = code == AC_SINGULAR         ? "the matrix of an implicit step is singular"
@@ -326,8 +339,9 @@ static int failed(ac_run *r, int code)
     for (int i = 1; i < m->states; i++) {
         worst = fabs(m->xdot[i]) > fabs(m->xdot[worst]) ? i : worst;
     }
-    return ac_say(r, code, "the integration stopped at time %.12g s: %s; state that changes most: %s", s->t0, why,
+    code = ac_say(r, code, "the integration stopped at time %.12g s: %s; state that changes most: %s", s->t0, why,
                   m->states > 0 ? r->plan->state[worst].name : "none");
+    return code == AC_NOT_FINITE ? advised(r, code) : code;
 }
 
 static double output_time(const ac_settings *s, ac_long i, ac_long count)

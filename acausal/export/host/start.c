@@ -52,6 +52,13 @@ static int inputs(ac_run *r)
         if (r->input[i].count == 0 && !isfinite(r->u[i])) {
             return ac_say(r, AC_FAILED, "input %s has no value", plan->input[i].name);
         }
+        if (plan->input[i].type != AC_REAL && r->input[i].count > 0) {
+            return ac_say(r, AC_FAILED, "input %s is no Real: only a constant can be given for it", plan->input[i].name);
+        }
+        if (r->input[i].count == 0 && !ac_is_number_of(plan->input[i].type, plan->input[i].literals, r->u[i])) {
+            return ac_say(r, AC_FAILED, "%.6g is no value for input %s: it must be %s", r->u[i], plan->input[i].name,
+                          ac_wanted(plan->input[i].type));
+        }
     }
     memset(r->u + plan->inputs, 0, bytes(plan->delays));
     if (r->model.fill != NULL) {
