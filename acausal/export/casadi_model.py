@@ -101,7 +101,10 @@ class CasadiModel:
         return self["initial"]
 
     def names(self, vector: str) -> tuple[str, ...]:
-        """The names of the entries of `x`, `z`, `u`, `p`, `m`, `d`, `y` or `s`."""
+        """The names of the entries of `x`, `z`, `u`, `p`, `m`, `d`, `y` or `s`. Raises `LookupProblem`."""
+        if vector not in self.labels:
+            hint = f"there is {', '.join(self.labels)}"
+            raise fail(LookupProblem, "casadi.vector", f"there is no vector `{vector}`", hint=hint)
         return tuple(label.name for label in self.labels[vector])
 
     def index(self, vector: str, name: str) -> int:

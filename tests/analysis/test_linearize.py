@@ -204,3 +204,14 @@ def test_delays_are_told() -> None:
     snapshot = acausal.loads(text).compile().linearize(0.4)
     assert snapshot.eigenvalues[0] == pytest.approx(-0.2)
     assert "delayed values are held" in snapshot.warnings[-1]
+
+
+def test_what_is_no_instant_and_no_frequency() -> None:
+    text = "model M input Real u(start = 1); Real x(start = 0, fixed = true); equation der(x) = u - x; end M;"
+    compiled = acausal.loads(text).compile()
+    for at in (None, [1.0], "soon", -1.0, float("nan")):
+        with pytest.raises(UsageProblem, match="no instant"):
+            compiled.linearize(at)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+    for frequency in ([], [-1.0], [float("nan")], [[1.0]]):
+        with pytest.raises(UsageProblem, match="frequencies"):
+            compiled.linearize().bode("x", "u", frequency)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]

@@ -141,3 +141,9 @@ def test_wrong_files_and_names(functions: CasadiModel, tmp_path: Path) -> None:
         functions.tuned("q")
     with pytest.raises(LookupProblem):
         functions["nothing"]
+
+
+def test_unknown_vectors_are_named() -> None:
+    model = acausal.loads("model M Real x; equation der(x) = -x; end M;").compile().to_casadi()
+    with pytest.raises(LookupProblem, match="no vector `q`"):
+        model.names("q")
