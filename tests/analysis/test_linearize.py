@@ -211,7 +211,7 @@ def test_what_is_no_instant_and_no_frequency() -> None:
     compiled = acausal.loads(text).compile()
     for at in (None, [1.0], "soon", -1.0, float("nan")):
         with pytest.raises(UsageProblem, match="no instant"):
-            compiled.linearize(at)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+            compiled.linearize(at)  # type: ignore[arg-type]  # wrong on purpose
     for frequency in ([], [-1.0], [float("nan")], [[1.0]]):
         with pytest.raises(UsageProblem, match="frequencies"):
-            compiled.linearize().bode("x", "u", frequency)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+            compiled.linearize().bode("x", "u", frequency)  # type: ignore[arg-type]  # wrong on purpose
