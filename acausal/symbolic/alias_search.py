@@ -21,9 +21,11 @@ from acausal.symbolic.expressions.expr import (
     TIME,
     ZERO,
     Expr,
+    Kind,
     const,
     der,
     div,
+    gather,
     neg,
     postorder,
     sub,
@@ -35,6 +37,8 @@ from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
 from acausal.symbolic.parameters import ParameterValues
+
+_PAST = Kind("past", frozenset({"pre", "delay", "derived"}), lambda node: node.args)
 
 
 def plain_pair(left: Expr, right: Expr) -> tuple[str, str, int] | None:
@@ -347,7 +351,7 @@ class AliasSearch:
 
     def _past_names(self, i: int) -> Iterable[str]:
         """Variables of which the equation uses past values, or that only its derivative holds."""
-        past = [n for n in postorder((self.left[i], self.right[i])) if n.op in ("pre", "delay", "derived")]
+        past = gather((self.left[i], self.right[i]), _PAST)
         return [name for name in symbols(past) if name in self._unknown] if past else ()
 
     def _name_derivatives(self) -> list[int]:

@@ -9,7 +9,19 @@ from acausal.lang.flat import Causality, FlatModel, Variability, Variable
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import INPUT, NotDifferentiable, TimeDerivative
 from acausal.symbolic.expressions.evaluate import Lookup
-from acausal.symbolic.expressions.expr import ZERO, Expr, der, fold, neg, parts, pre, rebuild, sym
+from acausal.symbolic.expressions.expr import (
+    ZERO,
+    Expr,
+    Kind,
+    der,
+    fold,
+    gather,
+    neg,
+    parts,
+    pre,
+    rebuild,
+    sym,
+)
 from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS, RELATIONS
 
 
@@ -37,20 +49,7 @@ def is_moving(variable: Variable | None) -> bool:
 
 def value_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
     """Leaves an equation could be solved for: those outside conditions, in order of appearance."""
-    found: dict[Expr, None] = {}
-    seen: set[Expr] = set()
-    stack = [*roots]
-    stack.reverse()
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node.op in ("sym", "der", "pre"):
-            found[node] = None
-        else:
-            stack.extend(reversed(_held(node)))
-    return tuple(found)
+    return gather(roots, _VALUE)
 
 
 def _held(node: Expr) -> tuple[Expr, ...]:
@@ -85,6 +84,8 @@ class PresentLeaves:
                 continue
             seen.add(node)
             few = self._leaves(node)
+            if few is None and node.op == "call" and node.wide is not None:
+                few = [leaf for leaf in value_leaves([node]) if leaf.op != "pre"]
             if few is None:
                 stack.extend(reversed(_held(node)))
             else:
@@ -126,22 +127,16 @@ class PresentLeaves:
 
 def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
     """Every leaf, those in conditions too. In order of appearance."""
-    found: dict[Expr, None] = {}
-    seen: set[Expr] = set()
-    stack = [*roots]
-    stack.reverse()
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node.op in ("sym", "der", "pre"):
-            found[node] = None
-        elif node.op != "delay":  # known from the past
-            stack.extend(reversed(parts(node)))
-    return tuple(found)
+    return gather(roots, _ALL)
 
 
+def _present(node: Expr) -> tuple[Expr, ...]:
+    return () if node.op == "delay" else parts(node)  # a delay is known from the past
+
+
+_LEAVES = frozenset({"sym", "der", "pre"})
+_VALUE = Kind("value leaves", _LEAVES, _held)
+_ALL = Kind("all leaves", _LEAVES, _present)
 _FEW = 4
 """How many leaves are noted at every node above them."""
 

@@ -14,13 +14,16 @@ from acausal.symbolic.expressions.expr import (
     ONE,
     ZERO,
     Expr,
+    Kind,
     add,
     div,
     fold,
+    gather,
     if_then_else,
     mul,
     neg,
     no_event,
+    parts,
     smooth,
 )
 from acausal.symbolic.expressions.operators import SWITCHING
@@ -127,6 +130,10 @@ Slopes = dict[Expr, Expr | None]
 _NOTHING: Slopes = {}
 
 
+class _Nonlinear(Slopes):
+    """Slopes of something linear in none of its leaves."""
+
+
 def slopes(root: Expr, *, frozen: bool = True) -> Slopes:
     """For every leaf of `root`, in order of appearance, its coefficient, or None if root is not linear in it.
 
@@ -139,12 +146,53 @@ def slopes(root: Expr, *, frozen: bool = True) -> Slopes:
     def visit_strict(node: Expr, args: list[Slopes]) -> Slopes:
         return _slopes(node, args, frozen=False)
 
+    def closed_strict(node: Expr) -> Slopes:
+        return closed_as(node, False)
+
     def visit(node: Expr, args: list[Slopes]) -> Slopes:
         if frozen and node.op in ("noEvent", "smooth"):
-            return fold([node], visit_strict, strict)[node]
+            return fold([node], visit_strict, strict, closed=closed_strict)[node]
         return _slopes(node, args, frozen=frozen)
 
-    return fold([root], visit)[root]
+    wides: dict[tuple[int, bool], Slopes] = {}
+
+    def closed_as(node: Expr, frozen: bool) -> Slopes:
+        key = (id(node.wide), frozen)
+        if key not in wides:
+            wides[key] = _Nonlinear.fromkeys(_slope_leaves(node, frozen=frozen))
+        return wides[key]
+
+    def closed(node: Expr) -> Slopes:
+        return closed_as(node, frozen)
+
+    return fold([root], visit, closed=closed)[root]
+
+
+def _slope_leaves(call: Expr, *, frozen: bool) -> Sequence[Expr]:
+    """The leaves with a slope in a call, which is linear in none: its shared arguments need no slopes."""
+    if not frozen:
+        return gather([call], _STRICT)
+    nodes = gather([call], _FROZEN)
+    if not any(node.op in ("noEvent", "smooth") for node in nodes):
+        return nodes
+    inner = [gather([n], _STRICT) if n.op in ("noEvent", "smooth") else (n,) for n in nodes]
+    return tuple(dict.fromkeys(leaf for leaves in inner for leaf in leaves))
+
+
+def _strictly_held(node: Expr) -> tuple[Expr, ...]:
+    if node.op == "if":
+        return (*node.args[1:], node.args[0])
+    return () if node.op == "delay" else parts(node)
+
+
+def _frozen_held(node: Expr) -> tuple[Expr, ...]:
+    if node.op == "if":
+        return node.args[1:]
+    return () if node.op in ("delay", "integer") else parts(node)
+
+
+_STRICT = Kind("slopes", _LEAVES, _strictly_held)
+_FROZEN = Kind("frozen slopes", _LEAVES | {"noEvent", "smooth"}, _frozen_held)
 
 
 def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
@@ -173,7 +221,10 @@ def _slopes(node: Expr, args: list[Slopes], *, frozen: bool) -> Slopes:
         return _if_slopes(node, args)
     if op in ("noEvent", "smooth"):
         return args[0]
-    return {leaf: None for inner in args for leaf in inner}
+    distinct = list({id(inner): inner for inner in args if inner}.values())
+    if len(distinct) == 1 and isinstance(distinct[0], _Nonlinear):
+        return distinct[0]  # of the calls for the elements of one array, say: they share thousands of leaves
+    return _Nonlinear.fromkeys(leaf for inner in distinct for leaf in inner)
 
 
 def _sum_slopes(args: list[Slopes]) -> Slopes:

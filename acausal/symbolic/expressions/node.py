@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import isnan
 from typing import TYPE_CHECKING
-from weakref import ref
+from weakref import WeakValueDictionary, ref
 
 if TYPE_CHECKING:  # a kernel works on constants
     from acausal.symbolic.expressions.kernel import Kernel
@@ -30,15 +30,17 @@ Constant = float | int | bool | str | EnumValue
 class Expr:
     """A node: `op` from the operator table, `args`, and `value` (constant, name of a symbol, order, key).
 
-    `kernel` exists on calls only; `value` is its key there. Never construct a node directly; use the
-    functions of this module.
+    `kernel` and `wide` exist on calls only; `value` is the kernel's key there. Never construct a node
+    directly; use the functions of this module.
     """
 
-    __slots__ = ("__weakref__", "args", "kernel", "op", "value")
+    __slots__ = ("__weakref__", "args", "kernel", "op", "value", "wide")
     op: str
     args: tuple[Expr, ...]
     value: Constant | None
     kernel: Kernel
+    wide: Wide | None
+    """Of a call with many arguments: what it shares with all other calls that have the same ones."""
 
     def __repr__(self) -> str:
         from acausal.symbolic.expressions.text import to_text  # the printer sits above this module
@@ -86,7 +88,7 @@ def _forget(entry: _Entry) -> None:
 
 
 def make(
-    op: str, args: tuple[Expr, ...] = (), value: Constant | None = None, shared: _Wide | None = None
+    op: str, args: tuple[Expr, ...] = (), value: Constant | None = None, shared: Wide | None = None
 ) -> Expr:
     """The unique node with these parts, without any simplification; `shared` stands for `args` in its key."""
     key = (op, args, value, value.__class__) if op == "const" else (op, shared or args, value)
@@ -106,41 +108,46 @@ def make(
 
 def call(kernel: Kernel, *args: Expr) -> Expr:
     """The call of a kernel; equal kernels with equal arguments give one node."""
-    return _call(kernel, args, _key_of(args))
+    return _call(kernel, args, _wide(args))
 
 
-def _call(kernel: Kernel, args: tuple[Expr, ...], shared: _Wide | None) -> Expr:
-    node = make("call", args, kernel.key, shared)
+def _call(kernel: Kernel, args: tuple[Expr, ...], shared: Wide | None) -> Expr:
+    node = make("call", args if shared is None else shared.args, kernel.key, shared)
     node.kernel = kernel
+    node.wide = shared
     return node
 
 
-class _Wide:
-    """Many arguments, hashed once: whole arrays are handed to kernels, one for each element of the result."""
+class Wide:
+    """Many arguments, made once: whole arrays are handed to kernels, one for each element of the result.
 
-    __slots__ = ("args", "code")
+    `known` is what walks found below them, by the kind of walk: so that equations, each with the call for one
+    element of the result, do not walk the same thousands of nodes again.
+    """
+
+    __slots__ = ("__weakref__", "args", "known")
 
     def __init__(self, args: tuple[Expr, ...]) -> None:
         self.args = args
-        self.code = sum(map(id, args))
-
-    def __hash__(self) -> int:
-        return self.code
-
-    def __eq__(self, other: object) -> bool:
-        return self is other or (isinstance(other, _Wide) and self.args == other.args)
+        self.known: dict[str, tuple[Expr, ...]] = {}
 
 
 _WIDE = 16
+_wides: WeakValueDictionary[tuple[Expr, ...], Wide] = WeakValueDictionary()
 
 
-def _key_of(args: tuple[Expr, ...]) -> _Wide | None:
-    return None if len(args) < _WIDE else _Wide(args)
+def _wide(args: tuple[Expr, ...]) -> Wide | None:
+    if len(args) < _WIDE:
+        return None
+    known = _wides.get(args)
+    if known is None:
+        known = _wides[args] = Wide(args)
+    return known
 
 
 def calls(kernels: Iterable[Kernel], args: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Calls of several kernels with the same arguments, which they share."""
-    shared = _key_of(args)
+    shared = _wide(args)
     return tuple([_call(kernel, args, shared) for kernel in kernels])
 
 
