@@ -43,7 +43,7 @@ static void warned(ac_run *r, int i, double time, const ac_notice *notice)
 static int advised(ac_run *r, int code)
 {
     static const char *const text = "; the step of %g s may exceed the stability limit of the explicit method: "
-                                    "try a shorter step, or the solver lieuler or rosenbrock";
+                                    "try a shorter step, or the solver lieuler or rosenbrock; `acausal eigen` prints the limits";
     size_t length = strlen(r->message);
     if (r->plan->states > 0 && r->solver.method >= AC_EULER && r->solver.method <= AC_DOPRI5 && length < sizeof r->message) {
         (void)snprintf(r->message + length, sizeof r->message - length, text, r->settings.step);
