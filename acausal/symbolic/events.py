@@ -163,6 +163,8 @@ def _is_real(expr: Expr, chains: Chains) -> bool:
         return any(_is_real(arg, chains) for arg in expr.args)
     if expr.op == "if":
         return any(_is_real(arg, chains) for arg in expr.args[1:])
+    if expr.op == "call":
+        return expr.kernel.result == "Real"
     return expr.op not in ("integer", "sign") and OPERATORS[expr.op].shape not in (
         "relation",
         "logical",
