@@ -11,7 +11,8 @@ from acausal.codegen.casadi_expressions import FORWARD, Converter
 from acausal.codegen.scope import column, split
 from acausal.lang.flat import STRING
 from acausal.symbolic.causal import CausalSystem
-from acausal.symbolic.expressions.expr import Expr
+from acausal.symbolic.expressions.expr import Expr, substitute
+from acausal.symbolic.parameters import definition
 
 _NOT_A_NUMBER = float("nan")
 
@@ -21,14 +22,27 @@ def parameter_function(system: CausalSystem, parameters: tuple[Expr, ...]) -> Fu
     given = SX.sym("given", len(parameters))
     override = SX.sym("override", len(parameters))
     convert = Converter({}, {})
-    for leaf, value, chosen in zip(parameters, split(given), split(override), strict=True):
-        variable = system.flat.by_name[leaf.name]
-        default = variable.binding if variable.binding is not None else variable.start
-        numeric = default if variable.type != STRING else None
-        bound = convert(numeric) if numeric is not None else SX(_NOT_A_NUMBER)
+    defaults = bindings(system, parameters)
+    for leaf, value, chosen, default in zip(parameters, split(given), split(override), defaults, strict=True):
+        bound = convert(default) if default is not None else SX(_NOT_A_NUMBER)
         convert.leaves[leaf] = ca.if_else(chosen, value, bound)
     total = column([convert.leaves[leaf] for leaf in parameters])
     return Function("parameters", [given, override], [total], ["given", "override"], ["p"], FORWARD)
+
+
+def bindings(system: CausalSystem, parameters: tuple[Expr, ...]) -> list[Expr | None]:
+    """What gives each parameter its value, in terms of numbers: Strings are put in; None for themselves."""
+    texts: dict[Expr, Expr] = {}
+    found: list[Expr | None] = []
+    for leaf in parameters:
+        variable = system.flat.by_name[leaf.name]
+        value = definition(variable)
+        if value is not None and texts:
+            value = substitute(value, texts)
+        if variable.type == STRING and value is not None and value.op == "const":
+            texts[leaf] = value
+        found.append(None if variable.type == STRING else value)
+    return found
 
 
 def function_of_parameters(

@@ -14,7 +14,7 @@ import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
-from acausal.codegen.constants import function_of_parameters
+from acausal.codegen.constants import bindings, function_of_parameters
 from acausal.codegen.functions import Code
 from acausal.codegen.scope import Scope
 from acausal.symbolic.expressions.expr import Expr, sub, sym
@@ -73,10 +73,6 @@ def _residuals(code: Code, by: By) -> Function:
 def binding_slopes(code: Code) -> Function:
     """`p -> B`: how the bindings of parameters depend on parameters, one row and column each."""
     parameters = tuple(sym(name) for name in code.system.parameters)
-    numeric = [
-        None if variable.type.name == "String" else variable.binding
-        for variable in (code.system.flat.by_name[name] for name in code.system.parameters)
-    ]
-    bindings = function_of_parameters("bindings", parameters, [("b", numeric)])
+    bound = function_of_parameters("bindings", parameters, [("b", bindings(code.system, parameters))])
     p = SX.sym("p", len(parameters))
-    return Function("binding_slopes", [p], [jacobian(bindings.call([p])[0], p)], ["p"], ["B"], FORWARD)
+    return Function("binding_slopes", [p], [jacobian(bound.call([p])[0], p)], ["p"], ["B"], FORWARD)

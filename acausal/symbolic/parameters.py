@@ -1,8 +1,8 @@
 """Parameters and constants: an order in which they can be computed, and their values.
 
-*Evaluated* are those that no run can change: constants, `final` and structural parameters (those with
-`annotation(Evaluate = true)` among them), if their values depend on evaluated ones only. Their values are
-put into the equations, where a zero removes a term and a Boolean decides an `if`. All others stay symbols.
+*Evaluated* are those that no run can change: constants, Strings, `final` and structural parameters (those
+with `annotation(Evaluate = true)`), if their values depend on evaluated ones only. Their values are put
+into the equations, where a zero removes a term and a Boolean decides an `if`. All others stay symbols.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field, replace
 
 from acausal.errors import Diagnostic, LookupProblem, TypeProblem
-from acausal.lang.flat import REAL, FlatModel, Variability, Variable
+from acausal.lang.flat import REAL, STRING, FlatModel, Variability, Variable
 from acausal.symbolic.describe import place
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
@@ -155,7 +155,8 @@ def parameter_values(flat: FlatModel, unevaluated: Collection[str] = ()) -> Para
 
 def _is_evaluated(variable: Variable, expr: Expr, flat: FlatModel, known: ParameterValues) -> bool:
     """Whether no run can change the value."""
-    closed = variable.variability is Variability.CONSTANT or variable.final or variable.structural
+    kind = variable.variability is Variability.CONSTANT or variable.type == STRING
+    closed = kind or variable.final or variable.structural
     return closed and all(name in known.evaluated for name in symbols([expr]) if name in flat.by_name)
 
 

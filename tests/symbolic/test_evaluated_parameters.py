@@ -108,3 +108,16 @@ def test_a_final_dependent_one_is_not_evaluated_either() -> None:
     compiled = acausal.loads(FREE.replace("parameter Real twice", "final parameter Real twice")).compile()
     assert compiled.causal.evaluated == ()
     assert compiled.simulate().parameters["twice"] == 4
+
+
+def test_texts_are_compared_when_compiling() -> None:
+    compiled = acausal.loads(
+        """model Winding
+          parameter String kind = "D", same = kind;
+          parameter Real V = 3, V_phase = V / (if same == "D" then 1 else 2);
+          Real u = if kind == "Y" then V else V_phase;
+        end Winding;"""
+    ).compile()
+    assert not {"kind", "same"} & used(compiled)
+    assert compiled.simulate(stop_time=1.0).final(["u"])["u"] == 3.0
+    assert compiled.simulate(stop_time=1.0, parameters={"V": 5.0}).final(["u"])["u"] == 5.0
