@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from time import process_time
 
@@ -12,7 +13,7 @@ from acausal.lang.library import Library
 from acausal.pipeline import compile_model
 from tests.language.models import INVALID, diagnostics, expected_error
 
-MOST_SECONDS = 2.0
+MOST_SECONDS = 2.0 if sys.gettrace() is None else 8.0  # measuring coverage takes four times as long
 
 
 @pytest.mark.parametrize("path", INVALID, ids=lambda path: path.stem)
