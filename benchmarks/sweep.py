@@ -15,23 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 import acausal
+from acausal.demo.systems import GEARS
 
 Values = NDArray[np.float64]
 
 ELEMENTS = ("C1", "C2", "C3", "B1", "B2", "B3")
-TABLE = {
-    1: ("B1 B2", 5.246),
-    2: ("B1 B2 C2", 3.271),
-    3: ("B1 B2 C3", 2.185),
-    4: ("B1 C2 C3", 1.597),
-    5: ("B1 C1 C3", 1.304),
-    6: ("C1 C2 C3", 1.000),
-    7: ("B2 C1 C3", 0.782),
-    8: ("B2 C1 C2", 0.653),
-    9: ("B2 B3 C1", 0.581),
-    10: ("B3 C1 C2", 0.517),
-    -1: ("B2 C3", -3.974),
-}
+TABLE = {gear: (held.removesuffix(" F1"), ratio) for gear, (held, ratio) in GEARS.items()}
 """Friction elements that hold, and speed of body 1 over that of body 8."""
 
 _I1, _I2, _I3, _I4 = 130 / 42, 81 / 43, 103 / 37, 76 / 48

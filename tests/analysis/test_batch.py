@@ -11,17 +11,7 @@ import acausal
 from acausal.analysis.batch import Variants
 from acausal.api import CompiledModel
 from acausal.errors import LookupProblem, UsageProblem
-
-CHAIN = """model Chain
-  parameter Integer n = 15; parameter Boolean held = true;
-  parameter Real c = 400, m = 0.5, d = 0.3, k3 = 5, s0 = 0.1;
-  Real s[n](each start = s0, each fixed = true), v[n](each start = 0, each fixed = true), pull[n + 1];
-equation
-  pull[1] = if held then c*s[1] + k3*s[1]^3 else 0;
-  for i in 2:n loop pull[i] = c*(s[i] - s[i - 1]) + d*(v[i] - v[i - 1]); end for;
-  pull[n + 1] = 0;
-  for i in 1:n loop der(s[i]) = v[i]; m*der(v[i]) = pull[i + 1] - pull[i]; end for;
-end Chain;"""
+from benchmarks.eigenvalues import CHAIN
 
 
 @pytest.fixture(scope="module", params=[True, False], ids=["held", "free"])
