@@ -6,14 +6,11 @@ Every line is a run of `TenSpeed.Benches` or a solution of `acausal.study.conver
 
 from __future__ import annotations
 
-import io
-import re
 import sys
 from collections.abc import Callable
-from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
+from figure_files import save
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -25,7 +22,6 @@ from acausal.study.converter.flow import flow_at
 from acausal.study.converter.laws import balance
 
 Array = NDArray[np.float64]
-FOLDER = Path(__file__).parent / "figures"
 COLOURS = ("#0072b2", "#009e73", "#e69f00", "#d55e00", "#cc79a7")
 STYLES = ("-", "--", "-.", ":", (0, (1, 2)))
 DOWN = """
@@ -161,22 +157,6 @@ FIGURES: dict[str, Callable[[], Figure]] = {
 }
 
 
-def save(name: str, figure: Figure) -> None:
-    """Write a figure, the same bytes for the same lines."""
-    for axes in figure.axes:
-        axes.grid(visible=True, lw=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=7, frameon=False)
-    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": name, "font.size": 9}):
-        text = io.StringIO()
-        figure.savefig(text, format="svg", metadata={"Date": None})
-    short = re.sub(
-        r"(?<=[ \"])-?\d+\.\d{2,}(?=[ \"\n])", lambda found: f"{float(found[0]):.1f}", text.getvalue()
-    )
-    lines = (one.rstrip() for one in short.splitlines())
-    (FOLDER / f"converter-{name}.svg").write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
 if __name__ == "__main__":
     for chosen in sys.argv[1:] or FIGURES:
-        save(chosen, FIGURES[chosen]())
+        save("converter", chosen, FIGURES[chosen]())

@@ -7,15 +7,12 @@ Left the characteristic, from the bench's own slow sweep; right the response to 
 
 from __future__ import annotations
 
-import io
-import re
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
+from figure_files import save
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -24,7 +21,6 @@ import acausal
 from acausal.simulate.result import Result
 
 Array = NDArray[np.float64]
-FOLDER = Path(__file__).parent / "figures"
 Changes = Mapping[str, str | float]
 COLOURS = ("#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00")
 """Levels 1 to 5; from the palette of Okabe and Ito, told apart by the colour-blind."""
@@ -221,30 +217,13 @@ def draw_circuit() -> Figure:
     return figure
 
 
-def save(name: str, figure: Figure) -> None:
-    """Write a figure, the same bytes for the same lines."""
-    for axes in figure.axes:
-        axes.grid(visible=True, lw=0.3)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(fontsize=7, frameon=False)
-    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": name, "font.size": 9}):
-        text = io.StringIO()
-        figure.savefig(text, format="svg", metadata={"Date": None})
-    short = re.sub(
-        r"(?<=[ \"])-?\d+\.\d{2,}(?=[ \"\n])", lambda found: f"{float(found[0]):.1f}", text.getvalue()
-    )
-    lines = (line.rstrip() for line in short.splitlines())
-    (FOLDER / f"valve-{name}.svg").write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
 def main(names: list[str]) -> None:
     """Draw what is named, by default everything."""
-    FOLDER.mkdir(exist_ok=True)
     for name, picture in PICTURES.items():
         if not names or name in names:
-            save(name, draw(picture))
+            save("valve", name, draw(picture))
     if not names or "circuit" in names:
-        save("circuit", draw_circuit())
+        save("valve", "circuit", draw_circuit())
 
 
 if __name__ == "__main__":
