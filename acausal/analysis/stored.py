@@ -174,7 +174,7 @@ class _Table:
         none = np.zeros(len(ops), dtype=np.bool_)
         for _ in range(_PASSES):
             instant = Instant(time, x.copy(), _AHEAD, none, np.zeros(len(ops)))
-            wanted = wanted_modes(e, ops, instant) if ops else e.m
+            wanted = wanted_modes(e, ops, instant)[0] if ops else e.m
             if np.array_equal(wanted, e.m):
                 return
             e.m[:] = wanted

@@ -30,6 +30,7 @@ from acausal.symbolic.expressions.expr import Expr, der
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
 _CLEAR, _REST = 1e-11, 0.1
+_ROUNDING = 1e-13
 _LONG_WALKS = 200
 """So many times a run solves its blocks by homotopy, if need be."""
 _IN_VAIN = 5
@@ -167,9 +168,14 @@ class Evaluator:
         return later
 
     def within(self, roots: Vector) -> NDArray[np.bool_]:
-        """Which roots are too close to zero to say that a relation lost its mode."""
+        """Which roots are too close to zero to say that a relation lost its mode.
+
+        That is within the shift of `hold`, or within the rounding of the largest size met so far: a root that
+        is solved for, as the path parameter of a diode is, has the rounding of all that is solved with it.
+        """
         result = np.zeros(len(roots), dtype=np.bool_)
-        result[self.located] = np.abs(roots[self.located]) <= np.abs(self.shift)
+        close = np.maximum(np.abs(self.shift), _ROUNDING * self._sizes)
+        result[self.located] = np.abs(roots[self.located]) <= close
         return result
 
     def crossings(self, out: Vector) -> None:

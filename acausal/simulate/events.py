@@ -67,14 +67,20 @@ class Instant:
     """A root that rests at exactly zero may have either mode."""
     anchored: bool = False
     """Crossed relations keep the value that the crossing gave them, whatever the values are now."""
+    met: NDArray[np.bool_] | None = None
+    """Which roots were zero in a mode that was tried before at this instant."""
 
 
-def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -> Vector:
-    """The values that the relations have now, or a moment later where their root is zero.
+def wanted_modes(
+    evaluator: Evaluator, ops: tuple[str, ...], instant: Instant
+) -> tuple[Vector, NDArray[np.bool_]]:
+    """The values that the relations have now, or a moment later where their root is zero, and where it is.
 
     Zero, whatever rounding says, are the located roots as long as they have their values, and what rested
-    there (`Evaluator.hold`). The evaluator is settled at the instant. Raises `SimulationProblem` where a side
-    is not a number.
+    there (`Evaluator.hold`). A root that was zero in another mode is looked at a moment later, too: the path
+    parameter of a diode, of exactly zero while it is a voltage, has as a current the rounding of voltages
+    over its resistance. The evaluator is settled at the instant. Raises `SimulationProblem` where a side is
+    not a number.
     """
     time, x, ahead = instant.time, instant.x, instant.ahead
     evaluator.event()
@@ -86,16 +92,17 @@ def wanted_modes(evaluator: Evaluator, ops: tuple[str, ...], instant: Instant) -
     kept = instant.crossed & instant.anchored
     wanted = np.where(kept, evaluator.m, wanted)
     near = (located | (np.abs(roots) <= BAND * sizes) | evaluator.within(roots)) & ~kept
-    if not near.any():
-        return wanted
+    looked = near if instant.met is None else (near | instant.met) & ~kept
+    if not looked.any():
+        return wanted, near
     evaluator.at(time + ahead, x + ahead * evaluator.xdot)
     evaluator.event()
     later = evaluator.roots.copy()
     evaluator.at(time, x)
-    moved = near & (np.abs(later - roots) > _NOISE * sizes)
+    moved = looked & (np.abs(later - roots) > _NOISE * sizes)
     still = near & ~moved & ((roots != 0) | instant.undecided)
     wanted = np.where(moved, literal_modes(ops, later), wanted)
-    return np.where(still, evaluator.m, wanted)
+    return np.where(still, evaluator.m, wanted), near
 
 
 def _check(evaluator: Evaluator, roots: Vector, time: float) -> None:

@@ -165,7 +165,7 @@ class NativeSolver:
             solves = name in ("ode", "derivative") or (name == "jac" and not self._model.takes_solution)
             known = self._known("guess" if solves else "z")
             inputs = [known[given] for given in function.name_in()]
-            structure, kept = bound(function, inputs, results[name], library)
+            structure, kept = bound(function, inputs, results[name][: function.n_out()], library)
             self._memory.kept.append(kept)
             setattr(self._model, name, structure)
 

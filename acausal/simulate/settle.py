@@ -63,6 +63,7 @@ class Settling:
         )
         self._resets = [system.states.index(reset.state) for reset in part.resets]
         self._disputed = np.zeros(len(self._ops), dtype=np.bool_)
+        self._met = np.zeros(len(self._ops), dtype=np.bool_)
         self._none = np.zeros(len(self._ops), dtype=np.bool_)
         self._instant = Instant(0.0, evaluator.x.copy(), ahead, self._none, np.zeros(len(self._ops)))
         self._error: AcausalError | None = None
@@ -103,13 +104,17 @@ class Settling:
     def _arrive(self, time: float, x: Vector, crossed: NDArray[np.int_] | None) -> None:
         """Notes the instant, and gives crossed relations their new values."""
         evaluator = self.evaluator
+        self._met[:] = False
         if crossed is None:
-            self._instant = Instant(time, x.copy(), self._ahead, self._none, self._instant.roots)
+            none, roots = self._none, self._instant.roots
+            self._instant = Instant(time, x.copy(), self._ahead, none, roots, met=self._met)
             return
+        self._met[:] = crossed != 0
         evaluator.settle()
         evaluator.event()
+        roots, anchored = evaluator.roots.copy(), bool(evaluator.d.size)
         self._instant = Instant(
-            time, x.copy(), self._ahead, crossed != 0, evaluator.roots.copy(), anchored=bool(evaluator.d.size)
+            time, x.copy(), self._ahead, crossed != 0, roots, anchored=anchored, met=self._met
         )
         evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
 
@@ -181,10 +186,11 @@ class Settling:
         evaluator = self.evaluator
         try:
             evaluator.settle()
-            modes = wanted_modes(evaluator, self._ops, self._instant)
+            modes, near = wanted_modes(evaluator, self._ops, self._instant)
         except SimulationProblem as error:
             self._error = self._error or error
             return False
+        self._met |= near
         self._disputed |= modes != present.m
         different = np.flatnonzero(modes != present.m)
         if one_by_one and different.size:

@@ -129,7 +129,7 @@ typedef struct {
     double time, next, ahead;
     double *x, *before_x, *event_x, *event_roots, *later, *wanted, *start_m, *start_d, *old_m, *old_d, *seen_m, *seen_d;
     double *before, *past, *values_d, *was_m, *was_d, *shift, *band, *reach, *probe, *side, *slack, *row, *fired;
-    int *crossed, *disputed, *reached, *warned;
+    int *crossed, *met, *disputed, *reached, *warned;
     int anchored, undecided, recorded;
     double event_time, recorded_time;
     double *sample_start, *sample_interval, *sample_count, *instants;

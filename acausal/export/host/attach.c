@@ -164,6 +164,7 @@ static void vectors(ac_run *r, ac_pool *pool)
     }
     r->pivots = ints(pool, plan->largest);
     r->crossed = ints(pool, plan->modes);
+    r->met = ints(pool, plan->modes);
     r->disputed = ints(pool, plan->modes);
     r->reached = ints(pool, plan->modes);
     r->warned = ints(pool, plan->assertions + plan->checks);

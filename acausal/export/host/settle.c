@@ -12,6 +12,7 @@
 
 #define BAND 1e-9
 #define NOISE 1e-14
+#define ROUNDING 1e-13
 
 enum { ITERATIONS = 50, PER_MODE = 4, FOLLOWING = 10, TRIED = 10 };
 enum { SETTLED = 0, BROKEN = 1, CIRCLE = 2 };
@@ -52,7 +53,8 @@ static void look(ac_run *r)
     }
 }
 
-/* Whether a located root is too close to zero to say that its relation lost its mode. */
+/* Whether a located root is too close to zero to say that its relation lost its mode: a root that is solved for has
+ * the rounding of all that is solved with it. */
 static void close_ones(const ac_run *r, const double *roots, int *close)
 {
     for (int i = 0; i < r->plan->modes; i++) {
@@ -60,11 +62,12 @@ static void close_ones(const ac_run *r, const double *roots, int *close)
     }
     for (int k = 0; k < r->plan->located; k++) {
         int i = r->plan->located_at[k];
-        close[i] = fabs(roots[i]) <= fabs(r->shift[k]);
+        close[i] = fabs(roots[i]) <= fmax(fabs(r->shift[k]), ROUNDING * r->band[k]);
     }
 }
 
-/* The values that the relations have now, or a moment later where their root is zero, into `wanted`. */
+/* The values that the relations have now, or a moment later where their root is zero, into `wanted`. A root that was
+ * zero in a mode that was tried before at this instant is looked at a moment later, too. */
 static int judged(ac_run *r)
 {
     const ac_plan *plan = r->plan;
@@ -91,7 +94,8 @@ static int judged(ac_run *r)
         }
         int located = crossed && fabs(seen[i] - r->event_roots[i]) <= band;
         r->reached[i] = !kept && (located || fabs(seen[i]) <= band || r->reached[i]);
-        near |= r->reached[i];
+        near |= r->reached[i] || (r->met[i] && !kept);
+        r->met[i] |= r->reached[i];
     }
     if (!near) {
         return 0;
@@ -102,13 +106,13 @@ static int judged(ac_run *r)
     ac_at(r, r->event_time + r->ahead, r->later);
     look(r);
     for (int i = 0; i < plan->modes; i++) {
-        if (!r->reached[i]) {
+        if (!r->met[i] || (r->crossed[i] && r->anchored)) {
             continue;
         }
         if (fabs(roots[i] - seen[i]) > NOISE * seen[plan->modes + i]) {
             int positive = plan->above[i] ? roots[i] > 0.0 : -roots[i] > 0.0;
             r->wanted[i] = (double)(roots[i] == 0.0 ? plan->at_zero[i] : positive);
-        } else if (seen[i] != 0.0 || r->undecided) {
+        } else if (r->reached[i] && (seen[i] != 0.0 || r->undecided)) {
             r->wanted[i] = r->m[i];
         }
     }
@@ -349,6 +353,7 @@ static int arrived(ac_run *r, const int *crossed)
     const ac_plan *plan = r->plan;
     r->anchored = 0;
     memset(r->crossed, 0, (size_t)plan->modes * sizeof(int));
+    memset(r->met, 0, (size_t)plan->modes * sizeof(int));
     if (crossed == NULL) {
         return 0;
     }
@@ -361,6 +366,7 @@ static int arrived(ac_run *r, const int *crossed)
     r->anchored = plan->frozen > 0;
     for (int i = 0; i < plan->modes; i++) {
         r->crossed[i] = crossed[i] != 0;
+        r->met[i] = r->crossed[i];
         if (crossed[i] != 0) {
             r->m[i] = (double)(plan->above[i] ? crossed[i] > 0 : crossed[i] < 0);
         }
