@@ -7,7 +7,8 @@ are gone; names are the model's own (`line.cell[3].p`). `verify` proves what eve
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import Enum, IntEnum
 from functools import cached_property
 
@@ -107,6 +108,10 @@ class Variable:
     top_level: bool = False
     """Declared (or inherited) by the model itself or its own connectors, not by one of its components."""
     description: str = ""
+    start_span: Span | None = None
+    """The modification that gives `fixed` or `start`, where it is not in the declaration."""
+    value_span: Span | None = None
+    """The modification that gives a parameter its value, likewise."""
 
     @property
     def is_parameter(self) -> bool:
@@ -224,6 +229,24 @@ class Experiment:
 
 
 @dataclass(frozen=True)
+class Places:
+    """Where a model declares its components, by path; empty where there was no instance tree.
+
+    An equation of a library's component stands in the library; what a user can change is the declaration of
+    the component. Connectors and records are no components here.
+    """
+
+    components: Mapping[str, Span] = field(default_factory=dict[str, Span])
+
+    def owner(self, name: str) -> str:
+        """The innermost declared component that holds a variable; "" at the top."""
+        path = name.rpartition(".")[0]
+        while path and path not in self.components:
+            path = path.rpartition(".")[0]
+        return path
+
+
+@dataclass(frozen=True)
 class FlatModel:
     """The whole model as scalars. Order is the declaration order of the source, depth first."""
 
@@ -241,6 +264,7 @@ class FlatModel:
     """Results of inlined functions, and the unit that their output declares; inner calls first."""
     open_inputs: frozenset[str] = frozenset()
     """Inputs of components that have no value and no connection: an equation may still determine them."""
+    places: Places = field(default_factory=Places, repr=False)
 
     @property
     def equation_count(self) -> int:

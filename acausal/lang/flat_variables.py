@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from acausal.errors import AcausalError, TypeProblem
+from acausal.errors import AcausalError, Span, TypeProblem
 from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.flat import Causality, Equation, Origin, ScalarType, StateSelect, Variability, Variable
 from acausal.lang.instance import Array, Connection, Instance, Leaf, Member, Outer
@@ -118,6 +118,8 @@ class Variables:
             and attributes.fixed is not False,
             top,
             leaf.description,
+            _modification(leaf, leaf.attributes.get("fixed") or leaf.attributes.get("start")),
+            _modification(leaf, leaf.binding),
         )
 
     def _binding(self, leaf: Leaf, binding: Binding) -> Expr:
@@ -171,6 +173,15 @@ class Variables:
             return None
         span = leaf.attributes[name].span
         return self._translation.evaluate_expr(item, span, f"the attribute `{name}` of `{leaf.path}`")
+
+
+def _modification(leaf: Leaf, given: Binding | None) -> Span | None:
+    """Where a value comes from, if it is not in the variable's own declaration."""
+    if given is None:
+        return None
+    own, span = leaf.span, given.span
+    within = span.source is own.source and own.start <= span.start and span.end <= own.end
+    return None if within else span
 
 
 def _fits(found: ScalarType, wanted: str) -> bool:

@@ -13,6 +13,7 @@ from acausal.lang.flat import FlatModel, Variable
 from acausal.lang.flat_variables import Variables
 from acausal.lang.instance import Instance
 from acausal.lang.links import components
+from acausal.lang.places import places_of
 from acausal.lang.streams import Streams
 from acausal.lang.translate import Translator
 from acausal.symbolic.expressions import expr as ex
@@ -64,6 +65,7 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
         whens=streams.resolved(work.whens),
         declared_units=tuple(translator.declared_units.items()),
         open_inputs=frozenset(path for path in variables.inputs if not sets.joins(path)),
+        places=places_of(root),
     )
 
 

@@ -17,9 +17,16 @@ from dataclasses import dataclass, replace
 from acausal.errors import InitializationProblem, fail
 from acausal.lang.flat import Assertion, Equation, FlatModel, Variable
 from acausal.symbolic.alias_search import AliasSearch
-from acausal.symbolic.attributes import Member, fixed_start, merged, same_value, start_or_default
+from acausal.symbolic.attributes import (
+    Member,
+    fixed_start,
+    merged,
+    same_value,
+    start_or_default,
+    start_place,
+)
 from acausal.symbolic.causal import Alias, CausalEquation
-from acausal.symbolic.describe import place, shown
+from acausal.symbolic.describe import equation_with_place
 from acausal.symbolic.expressions.expr import Expr, const, sym
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
@@ -177,19 +184,21 @@ def _fixed_constant(
     agrees = same_value(value, start, values)
     if agrees is False:
         raise _start_against_value(variable, value, search)
-    condition = CausalEquation(value, start, Equation(sym(variable.name), start, variable.span))
+    condition = CausalEquation(value, start, Equation(sym(variable.name), start, start_place(variable)))
     return [] if agrees else [condition]
 
 
 def _start_against_value(variable: Variable, value: Expr, search: AliasSearch) -> InitializationProblem:
     pinned = search.classes.of(variable.name).pinned
     source = None if pinned is None else search.flat.equations[pinned.equation]
-    because = "" if source is None else f" by `{shown(source)}` ({place(source.span)})"
+    because = "" if source is None else f" by {equation_with_place(source)}"
+    start = "0" if variable.start is None else to_text(variable.start)
     problem = fail(
         InitializationProblem,
         "start.conflict",
-        f"`{variable.name}` has a fixed start value, but its value is {to_text(value)}{because}",
-        variable.span,
+        f"in the initial system `{variable.name}` is fixed at {start}, "
+        f"but its value is {to_text(value)}{because}",
+        start_place(variable),
         names=(variable.name,),
         hint=f"remove `fixed = true` from `{variable.name}`",
     )

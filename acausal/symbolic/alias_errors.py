@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from acausal.errors import BalanceProblem, Diagnostic, ReductionProblem, fail
-from acausal.lang.flat import Equation, FlatModel, Origin
+from acausal.lang.flat import Equation, FlatModel, Origin, Variable
 from acausal.symbolic.alias_classes import Classes, Link
 from acausal.symbolic.attributes import same_value
-from acausal.symbolic.describe import base_name, equation_with_place, listed, short_text, shown
+from acausal.symbolic.circuit import meeting, part_of
+from acausal.symbolic.describe import base_name, equation_with_place, listed, quoted, short_text, shown
+from acausal.symbolic.domains import GENERIC, domain_of
 from acausal.symbolic.expressions.diff import INPUT, NotDifferentiable
 from acausal.symbolic.expressions.expr import ZERO, Expr, add, neg
 from acausal.symbolic.expressions.simplify import split_factor
@@ -24,23 +26,64 @@ def redundant_link(flat: FlatModel, classes: Classes, link: Link) -> BalanceProb
         names.append(other.b if other.a == names[-1] else other.a)
     loop = listed([equation_with_place(equation) for equation in around])
     surplus = flat.equations[link.equation]
-    flows = all(flat.by_name[name].flow for name in names if name in flat.by_name)
-    hint = _NO_REFERENCE if flows and surplus.origin is Origin.FLOW_BALANCE else _REMOVE
-    return _surplus(surplus, tuple(names), f"it already follows from {loop}", hint)
+    why = f"it already follows from {loop}"
+    flows = [flat.by_name[name] for name in names if name in flat.by_name]
+    if surplus.origin is Origin.FLOW_BALANCE and all(v.flow for v in flows):
+        return _no_reference(flat, surplus, flows, why)
+    if any(equation.origin is Origin.CONNECTION for equation in (surplus, *around)):
+        return _closed_loop(flat, (surplus, *around), tuple(names))
+    return _surplus(surplus, tuple(names), why)
+
+
+def _no_reference(flat: FlatModel, surplus: Equation, flows: Sequence[Variable], why: str) -> BalanceProblem:
+    """The flows of a circuit add up to zero by themselves: nothing says how high its potentials are."""
+    domain = domain_of(flows[0])
+    parts = _parts(flat, [v.name for v in flows])
+    ends = {v.name.rpartition(".")[0] for v in flows}
+    levels = [v.name for v in flat.unknowns if not v.flow and v.name.rpartition(".")[0] in ends]
+    of = f" of {quoted(parts)}" if parts else ""
+    story = (
+        f"the {domain.through}s{of} balance by themselves, and nothing fixes the level of the "
+        f"{domain.across} ({listed(levels)}): "
+    )
+    hint = (
+        f"connect a reference to one of them ({domain.reference.removeprefix('a ')}), "
+        "and look for two sources that prescribe the same"
+    )
+    return _surplus(surplus, tuple(dict.fromkeys([*(v.name for v in flows), *levels])), why, hint, story)
+
+
+def _closed_loop(flat: FlatModel, loop: Sequence[Equation], names: tuple[str, ...]) -> BalanceProblem:
+    """Connections join what is rigid already; the last of them is shown, since it closes the loop."""
+    last = max(range(len(loop)), key=lambda i: (loop[i].origin is Origin.CONNECTION, loop[i].span.start))
+    others = [equation_with_place(equation) for i, equation in enumerate(loop) if i != last]
+    ends = {name.rpartition(".")[0] for name in names}
+    flow = next((v for v in flat.unknowns if v.flow and v.name.rpartition(".")[0] in ends), None)
+    compliant = GENERIC.compliant if flow is None else domain_of(flow).compliant
+    story = f"connections close a loop of {quoted(_parts(flat, names))} in which nothing gives way: "
+    hint = f"remove this connection or another one of the loop, or put {compliant} into it"
+    return _surplus(loop[last], names, f"it already follows from {listed(others)}", hint, story)
+
+
+def _parts(flat: FlatModel, names: Sequence[str]) -> list[str]:
+    """The components that hold the variables, where they meet."""
+    owners = [flat.places.owner(name) for name in names]
+    level = meeting(owners)
+    if level in owners:
+        level = level.rpartition(".")[0]
+    return list(dict.fromkeys(part for owner in owners if (part := part_of(owner, level))))
 
 
 _REMOVE = "remove it, or replace it by the equation that is missing elsewhere"
-_NO_REFERENCE = (
-    "these flows balance by themselves, so nothing fixes the level of the potential they belong to: "
-    "connect a reference (ground, fixed flange, tank), and look for two sources that prescribe the same"
-)
 
 
-def _surplus(equation: Equation, names: tuple[str, ...], why: str, hint: str = _REMOVE) -> BalanceProblem:
+def _surplus(
+    equation: Equation, names: tuple[str, ...], why: str, hint: str = _REMOVE, story: str = ""
+) -> BalanceProblem:
     return BalanceProblem(
         Diagnostic(
             "alias.loop",
-            f"the equation `{shown(equation)}` determines nothing in the running system: {why}",
+            f"{story}the equation `{shown(equation)}` determines nothing in the running system: {why}",
             equation.span,
             names,
             hint,

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from acausal.errors import Diagnostic, InitializationProblem
+from acausal.errors import Diagnostic, InitializationProblem, Span
 from acausal.lang.flat import StateSelect, Variable
 from acausal.symbolic.describe import dots, place
 from acausal.symbolic.expressions.expr import Expr, const, neg
@@ -127,6 +127,11 @@ def fixed_start(members: Sequence[Member], values: ParameterValues) -> Expr | No
     return fixed[0][1] if fixed else None
 
 
+def start_place(variable: Variable) -> Span:
+    """Where the start value is given, or else the variable declared."""
+    return variable.start_span or variable.span
+
+
 def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
     """Two variables that are always equal (or opposite) are fixed at different start values."""
 
@@ -135,8 +140,8 @@ def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
         return Diagnostic(
             "start.conflict",
             f"`{variable.name}` is fixed at {own}, but it is an alias of `{other.name}` "
-            f"({place(other.span)}), which is fixed at {its}",
-            variable.span,
+            f"({place(start_place(other))}), which is fixed at {its}",
+            start_place(variable),
             (variable.name, other.name),
             "remove `fixed = true` from one of them, or make their start values agree",
         )

@@ -66,6 +66,19 @@ def listed(items: Sequence[str], shown: int = SHOWN) -> str:
     return ", ".join(items[:shown]) + more
 
 
+def quoted(names: Sequence[str], last: str = "and", shown: int = SHOWN) -> str:
+    """`` `a`, `b` and `c` ``, or how many more there are."""
+    texts = [f"`{name}`" for name in names[:shown]]
+    if len(names) > shown:
+        return f"{', '.join(texts)} and {len(names) - shown} more"
+    return f" {last} ".join([part for part in (", ".join(texts[:-1]), *texts[-1:]) if part])
+
+
+def counted(number: int, noun: str) -> str:
+    """`1 equation`, `3 equations`."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
 def leaf_texts(leaves: Iterable[Expr]) -> tuple[str, ...]:
     """Leaves as text."""
     return tuple(to_text(leaf) for leaf in leaves)

@@ -9,7 +9,7 @@ from acausal.errors import ReductionProblem, fail
 from acausal.lang.flat import StateSelect, Variability
 from acausal.symbolic.alias import Simplified
 from acausal.symbolic.alias_errors import not_differentiable
-from acausal.symbolic.balance import require_complete, structure
+from acausal.symbolic.balance import require_complete
 from acausal.symbolic.causal import CausalEquation
 from acausal.symbolic.describe import base_name, equation_with_place, listed
 from acausal.symbolic.expressions.diff import NotDifferentiable, TimeDerivative
@@ -18,6 +18,7 @@ from acausal.symbolic.graphs.dulmage_mendelsohn import StructurallySingular
 from acausal.symbolic.graphs.pantelides import Reduction, TooManyDifferentiations, pantelides
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.leaves import Chains, value_leaves
+from acausal.symbolic.structure import structure
 
 
 @dataclass(frozen=True)
@@ -129,6 +130,7 @@ def _pantelides(model: Simplified, incidence: list[list[Var]], derivative_of: li
         return pantelides(incidence, len(derivative_of), derivative_of)
     except StructurallySingular:
         system = structure([(e.flat, e.left, e.right) for e in model.equations], model.unknowns)
+        system = replace(system, places=model.flat.places)
         require_complete(system, f"{model.flat.name} (after alias elimination)")
         raise
     except TooManyDifferentiations as problem:

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 from acausal.errors import Diagnostic, InitializationProblem
 from acausal.lang.flat import Equation, Origin, Variable
-from acausal.symbolic.attributes import start_or_default
+from acausal.symbolic.attributes import start_or_default, start_place
 from acausal.symbolic.blocks import NoCompleteMatching, ordered_blocks, rows, square_system
 from acausal.symbolic.causal import (
     Assignment,
@@ -56,7 +56,7 @@ class _Start:
 
     def equation(self) -> CausalEquation:
         left = sym(self.variable.name)
-        return CausalEquation(left, self.value, Equation(left, self.value, self.variable.span))
+        return CausalEquation(left, self.value, Equation(left, self.value, start_place(self.variable)))
 
     def condition(self) -> InitialCondition:
         return InitialCondition(self.equation(), self.variable.name)

@@ -26,13 +26,14 @@ from typing import TypeVar
 
 from acausal.errors import Diagnostic, UsageProblem
 from acausal.lang.flat import Assertion, Equation, FlatModel, Variability, Variable, When
-from acausal.symbolic.balance import check_balance, determining_equations, structure
+from acausal.symbolic.balance import check_balance, determining_equations
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.graphs.matching import Matcher
 from acausal.symbolic.graphs.types import Eq, Var
 from acausal.symbolic.leaves import all_leaves, determined
 from acausal.symbolic.parameters import dependent_parameters, free_parameters, order_parameters
+from acausal.symbolic.structure import structure
 
 _T = TypeVar("_T")
 

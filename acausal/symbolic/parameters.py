@@ -7,12 +7,12 @@ into the equations, where a zero removes a term and a Boolean decides an `if`. A
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from acausal.errors import Diagnostic, LookupProblem, TypeProblem
 from acausal.lang.flat import REAL, STRING, FlatModel, Variability, Variable
-from acausal.symbolic.describe import place
+from acausal.symbolic.describe import SHOWN, place, quoted
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
 from acausal.symbolic.expressions.expr import Constant, Expr, symbols
 
@@ -130,7 +130,7 @@ def parameter_values(flat: FlatModel, unevaluated: Collection[str] = ()) -> Para
     """
     order = order_parameters(flat)
     known = ParameterValues(order, {})
-    wrong: list[Diagnostic] = []
+    without: list[Variable] = []
     warnings: list[Diagnostic] = []
     for name in order:
         variable = flat.by_name[name]
@@ -138,7 +138,7 @@ def parameter_values(flat: FlatModel, unevaluated: Collection[str] = ()) -> Para
             continue
         expr = definition(variable)
         if expr is None:
-            wrong.append(_no_value(variable))
+            without.append(variable)
             continue
         if variable.binding is None:
             warnings.append(_start_used(variable))
@@ -147,6 +147,7 @@ def parameter_values(flat: FlatModel, unevaluated: Collection[str] = ()) -> Para
             known.values[name] = value  # where there is none, the run says why when it computes the parameter
             if _is_evaluated(variable, expr, flat, known):
                 known.evaluated[name] = float(value) if variable.type == REAL else value  # type: ignore[arg-type]  # a Real's value is a number
+    wrong = list(_no_values(flat, without))
     wrong += [d for name in order for d in out_of_range(flat.by_name[name], known.values.get(name), known)]
     if wrong:
         raise TypeProblem(wrong)
@@ -171,20 +172,31 @@ def out_of_range(variable: Variable, value: Constant | None, known: ParameterVal
             yield Diagnostic(
                 "parameter.out-of-range",
                 f"`{variable.name}` = {value:g} is {word} its {attribute}imum {limit:g}",
-                variable.span,
+                variable.value_span or variable.span,
                 (variable.name,),
                 f"give it a value that is not {word} {limit:g}",
             )
 
 
-def _no_value(variable: Variable) -> Diagnostic:
-    return Diagnostic(
-        "parameter.no-value",
-        f"the parameter `{variable.name}` has no value",
-        variable.span,
-        (variable.name,),
-        f"give it one in its declaration or set it: {variable.name} = ...",
-    )
+def _no_values(flat: FlatModel, variables: Sequence[Variable]) -> Iterator[Diagnostic]:
+    """One diagnostic for each component whose parameters lack values, where it is declared."""
+    owned: dict[str, list[Variable]] = {}
+    for variable in variables:
+        owner = flat.places.owner(variable.name)
+        owned.setdefault(owner or variable.name, []).append(variable)
+    for owner, held in owned.items():
+        where = flat.places.components.get(owner)
+        names = tuple(v.name for v in held)
+        which = f"parameter {quoted(names)} has" if len(held) == 1 else f"parameters {quoted(names)} have"
+        declared = "" if where is None else f" ({place(held[0].span)})"
+        values = ", ".join([f"{name} = ..." for name in names[:SHOWN]])
+        yield Diagnostic(
+            "parameter.no-value",
+            f"the {which} no value{declared}",
+            where or held[0].span,
+            names,
+            f"give {'it one' if len(held) == 1 else 'them values'} in the declaration or set it: {values}",
+        )
 
 
 def _start_used(variable: Variable) -> Diagnostic:

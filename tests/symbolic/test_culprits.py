@@ -1,0 +1,87 @@
+"""Wrong models of library components: messages point at what the user wrote, not into the library."""
+
+from __future__ import annotations
+
+import pytest
+
+import acausal
+from acausal.errors import AcausalError
+
+TEXT = """package Wrong
+  import C = Mechanics.Rotational.Components;
+  import S = Mechanics.Rotational.Sources;
+  model TwoSpeeds
+    S.Speed left(w_start = 10);
+    C.IdealGear gear(ratio = 2);
+    C.Fixed case;
+  equation
+    connect(left.flange, gear.flange_a);
+    connect(gear.flange_b, case.flange);
+  end TwoSpeeds;
+  model LooseDamper
+    S.Torque motor(tau_start = 5);
+    C.Damper damper(d = 2);
+  equation
+    connect(motor.flange, damper.flange_a);
+  end LooseDamper;
+  model RigidLoop
+    C.Inertia body(J = 1);
+  equation
+    connect(body.flange_a, body.flange_b);
+  end RigidLoop;
+  model NoSignal
+    S.SpeedSignal source;
+    C.Inertia body(J = 1);
+  equation
+    connect(source.flange, body.flange_a);
+  end NoSignal;
+  model NoValue
+    S.Torque motor(tau_start = 5);
+    C.SpringDamper shaft;
+  equation
+    connect(motor.flange, shaft.flange_a);
+  end NoValue;
+  model FixedTwice
+    C.Inertia a(J = 1, w(start = 10, fixed = true));
+    C.Inertia b(J = 1, w(start = 3, fixed = true));
+    C.IdealGear gear(ratio = 2);
+  equation
+    connect(a.flange_b, gear.flange_a);
+    connect(gear.flange_b, b.flange_a);
+  end FixedTwice;
+end Wrong;"""
+
+EXPECTED = {
+    # model: what the line of the first diagnostic holds, what its message says, what its hint says
+    "TwoSpeeds": ("C.Fixed case", "`left` and `case` both prescribe the angle or speed", "`left` or `case`"),
+    "LooseDamper": ("C.Damper damper", "`damper.flange_b` is not connected", "connect `damper.flange_b`"),
+    "RigidLoop": ("connect(body.flange_a", "connections close a loop of `body`", "remove one of the connections"),
+    "NoSignal": ("S.SpeedSignal source", "the input `source.w` has no value", "connect `source.w`"),
+    "NoValue": ("C.SpringDamper shaft", "the parameters `shaft.c` and `shaft.d` have no value", "shaft.c = ..."),
+    "FixedTwice": ("C.Inertia b", "the start value `b.w` = 3", "`b.w`, `a.w`"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_the_line_is_the_users_own(name: str) -> None:
+    line, says, hint = EXPECTED[name]
+    with pytest.raises(AcausalError) as caught:
+        acausal.loads(TEXT, f"Wrong.{name}").compile().simulate()
+    first = caught.value.diagnostics[0]
+    assert first.span is not None
+    assert first.span.file == "<string>"
+    assert line in TEXT.splitlines()[first.span.line - 1]
+    assert says in first.message
+    assert hint in first.hint
+
+
+def test_other_places_follow_likeliest_first() -> None:
+    with pytest.raises(AcausalError) as caught:
+        acausal.loads(TEXT, "Wrong.TwoSpeeds").compile()
+    texts = [d.span.text for d in caught.value.diagnostics if d.span is not None]
+    assert texts == [
+        "case",
+        "left(w_start = 10)",
+        "connect(gear.flange_b, case.flange)",
+        "connect(left.flange, gear.flange_a)",
+    ]
