@@ -55,9 +55,9 @@ EXPECTED = {
     # model: what the line of the first diagnostic holds, what its message says, what its hint says
     "TwoSpeeds": ("C.Fixed case", "`left` and `case` both prescribe the angle or speed", "`left` or `case`"),
     "LooseDamper": ("C.Damper damper", "`damper.flange_b` is not connected", "connect `damper.flange_b`"),
-    "RigidLoop": ("connect(body.flange_a", "connections close a loop of `body`", "remove one of the connections"),
+    "RigidLoop": ("connect(body.flange_a", "connections close a loop of `body`", "remove this connection"),
     "NoSignal": ("S.SpeedSignal source", "the input `source.w` has no value", "connect `source.w`"),
-    "NoValue": ("C.SpringDamper shaft", "the parameters `shaft.c` and `shaft.d` have no value", "shaft.c = ..."),
+    "NoValue": ("C.SpringDamper shaft", "`shaft.c` and `shaft.d` have no value", "shaft.c = ..."),
     "FixedTwice": ("C.Inertia b", "the start value `b.w` = 3", "`b.w`, `a.w`"),
 }  # fmt: skip
 
