@@ -6,7 +6,7 @@ is tried: in the last quarter that state lies on the reference with a stable ste
 too long. How far depends on what bounds the swing: near zero pressure difference an orifice is laminar and
 quick, a little off it is not. So a swing is compared with that of the stable steps. Between snapshots
 contacts open and close, and what they do may need a somewhat shorter step than any snapshot says. Last,
-linearly implicit Euler and RODAS3 run at `BEYOND` times the predicted limit; there the speed of the
+linearly implicit Euler and `rosenbrock` run at `BEYOND` times the predicted limit; there the speed of the
 output counts, relative to its largest.
 """
 

@@ -32,7 +32,7 @@ enum {
     AC_RK3 = 4,
     AC_DOPRI5 = 5,
     AC_LIEULER = 6,
-    AC_RODAS3 = 7
+    AC_ROS2 = 7
 };
 
 enum { AC_MAX_STAGES = 8, AC_MAX_LOOKS = 64, AC_VECTORS = 13, AC_ROOTS_OF = 7 };
@@ -187,6 +187,6 @@ double ac_first_step(ac_solver *s, double until);
 int ac_search(ac_solver *s);
 int ac_still_to_cross(ac_solver *s, double *distance);
 void ac_hermite(ac_solver *s);
-extern const ac_rosenbrock ac_rodas5p, ac_rodas3, ac_lieuler;
+extern const ac_rosenbrock ac_rodas5p, ac_ros2, ac_lieuler;
 
 #endif

@@ -131,8 +131,8 @@ static int stepped(ac_solver *s, double h)
         return dopri(s, h);
     case AC_LIEULER:
         return implicit(s, h, &ac_lieuler);
-    case AC_RODAS3:
-        return implicit(s, h, &ac_rodas3);
+    case AC_ROS2:
+        return implicit(s, h, &ac_ros2);
     default:
         for (int i = 0; i < s->model->states; i++) {
             s->x1[i] = s->x0[i] + h * s->f0[i];

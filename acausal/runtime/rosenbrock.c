@@ -49,15 +49,17 @@ static const double rodas5p_h[24] = {
 const ac_rosenbrock ac_rodas5p = {
     8, 5, 0.21193756319429014, rodas5p_a, rodas5p_c, rodas5p_alpha, rodas5p_d, rodas5p_m, rodas5p_e, rodas5p_h};
 
-/* RODAS3: order 3(2), L-stable, three evaluations. Sandu, Verwer, Blom, Spee, Carmichael and Potra, Benchmarking
- * stiff ODE solvers for atmospheric chemistry problems II: Rosenbrock solvers, Atmos. Environ. 31 (1997). */
-static const double rodas3_a[16] = {0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0};
-static const double rodas3_c[16] = {0, 0, 0, 0, 4, 0, 0, 0, 1, -1, 0, 0, 1, -1, -8.0 / 3.0, 0};
-static const double rodas3_alpha[4] = {0, 0, 1, 1};
-static const double rodas3_d[4] = {0.5, 1.5, 0, 0};
-static const double rodas3_m[4] = {2, 0, 1, 1};
-static const double rodas3_e[4] = {0, 0, 0, 1};
-const ac_rosenbrock ac_rodas3 = {4, 3, 0.5, rodas3_a, rodas3_c, rodas3_alpha, rodas3_d, rodas3_m, rodas3_e, NULL};
+/* Order 2, L-stable, one evaluation; it satisfies the conditions for order 2 of IV.7. With T = 1 / (1 - h J) its step is
+ * linearly implicit Euler's k = h T f and what that lacks, damped twice: k - h/2 J T^2 k. A contact that closes within
+ * a step is linearised where it is evaluated, and given back no more energy than it took: for that y |R(i y)| must
+ * not exceed 1 by much for the stability function R(z) = (1 - 2 z + z^2 / 2) / (1 - z)^3, which for y -> oo is 1/2. */
+static const double ros2_a[9] = {0};
+static const double ros2_c[9] = {0, 0, 0, -0.5, 0, 0, -0.5, 1, 0};
+static const double ros2_alpha[3] = {0};
+static const double ros2_d[3] = {1, 0.5, 1};
+static const double ros2_m[3] = {0, 0, 1};
+static const double ros2_e[3] = {-1, 0, 1};
+const ac_rosenbrock ac_ros2 = {3, 2, 1.0, ros2_a, ros2_c, ros2_alpha, ros2_d, ros2_m, ros2_e, NULL};
 
 /* Linearly implicit Euler: order 1, L-stable. */
 static const double euler_zero[1] = {0};
@@ -93,13 +95,27 @@ static void add(double *sum, double factor, const double *v, int n)
     }
 }
 
-/* `f(t + alpha_i h, x0 + sum a_ij k_j)` into `out`, unless it is the evaluation of the stage before. */
+/* Whether stage i evaluates where the step begins. */
+static int at_start(const ac_rosenbrock *table, int i)
+{
+    const double *a = table->a + i * table->stages;
+    if (table->alpha[i] != 0.0) {
+        return 0;
+    }
+    for (int j = 0; j < i; j++) {
+        if (a[j] != 0.0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* `f(t + alpha_i h, x0 + sum a_ij k_j)` into `out`. */
 static int evaluated(ac_solver *s, const ac_rosenbrock *table, double h, int i, double *out)
 {
     int n = s->model->states;
-    int width = table->stages;
-    const double *a = table->a + i * width;
-    if (i == 0 && table->alpha[0] == 0.0) {
+    const double *a = table->a + i * table->stages;
+    if (at_start(table, i)) {
         memcpy(out, s->f0, (size_t)n * sizeof(double));
         return 0;
     }
@@ -111,21 +127,6 @@ static int evaluated(ac_solver *s, const ac_rosenbrock *table, double h, int i, 
     return ac_slope(s->model, t, s->stage, out);
 }
 
-/* Whether stage i evaluates where the one before did (RODAS3's second stage). */
-static int same_point(const ac_rosenbrock *table, int i)
-{
-    const double *a = table->a + i * table->stages;
-    if (i != 1 || table->alpha[i] != table->alpha[0]) {
-        return 0;
-    }
-    for (int j = 0; j < i; j++) {
-        if (a[j] != 0.0) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* All stages of a step of length h from (t0, x0), with f0 = f(t0, x0) and the factors made; x1, error, k1..k3. */
 int ac_stages(ac_solver *s, const ac_rosenbrock *table, double h)
 {
@@ -133,7 +134,7 @@ int ac_stages(ac_solver *s, const ac_rosenbrock *table, double h)
     int width = table->stages;
     for (int i = 0; i < width; i++) {
         double *k = s->k + i * n;
-        int code = evaluated(s, table, h, same_point(table, i) ? 0 : i, k);
+        int code = evaluated(s, table, h, i, k);
         if (code != 0) {
             return code;
         }

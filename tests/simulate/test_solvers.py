@@ -43,7 +43,7 @@ ACCURATE = {
     "rk3": 1e-4,
     "dopri5": 1e-6,
     "lieuler": 0.5,
-    "rosenbrock": 1e-4,
+    "rosenbrock": 1e-3,
 }
 EXACT = SWING.simulate(stop_time=2.0, rtol=1e-10, solver="cvode")
 NAMES = ("phi", "w", "y", "z", "a", "d")

@@ -325,7 +325,7 @@ static int setting(request *q, const char *name, const char *value)
             return csv_number(value, numbers[i].to) && isfinite(*numbers[i].to) ? 0 : complain("no number:", value);
         }
     }
-    for (int i = AC_EULER; strcmp(name, "--solver") == 0 && i <= AC_RODAS3; i++) {
+    for (int i = AC_EULER; strcmp(name, "--solver") == 0 && i <= AC_ROS2; i++) {
         if (strcmp(value, methods[i]) == 0) {
             q->settings.method = i;
             return 0;
