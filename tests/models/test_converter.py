@@ -190,6 +190,30 @@ def test_drive(drives: dict[int, dict[str, Array]], level: int) -> None:
     assert 70 < float(at["impellerSpeed"][55.0]) < 80
 
 
+@pytest.mark.parametrize("level", [2, 4])
+@pytest.mark.parametrize("solver", ["cvode", "ida"])
+def test_no_solver_meets_the_end_of_a_branch(drives: dict[int, dict[str, Array]], level: int, solver: str) -> None:
+    """Levels 2 and 4 change the branch shortly before it ends."""
+    compiled = acausal.load(f"TenSpeed.Benches.TorqueConverterDriveL{level}").compile()
+    run = compiled.simulate(solver=solver, rtol=1e-5)
+    for name in ("impellerSpeed", "turbineSpeed"):
+        found = np.interp(np.arange(0, 60.01, 0.5), run.time, run.values(name))
+        difference = found - drives[level][name]
+        assert float(np.sqrt(np.mean(difference**2))) < 0.005 * float(np.abs(found).max())
+
+
+def test_a_torque_of_the_middle_branch_is_refused_at_level_4() -> None:
+    """Levels 1 and 3 find it at the speed that the study computes."""
+    text = """model X extends TenSpeed.Interfaces.ConverterBench(
+      redeclare model Torus = TenSpeed.Converter.TorusL{level},
+      redeclare TenSpeed.Converter.TorqueSource impellerSource(tau_start=140, tau_end=10, startTime=1, duration=20),
+      redeclare TenSpeed.Converter.SpeedSource turbineSource(w_start=180)); end X;"""
+    run = acausal.loads(text.format(level=3)).compile().simulate(stop_time=25, interval=1)
+    assert float(run.values("impellerSpeed")[-1]) == pytest.approx(180.9, abs=0.1)
+    with pytest.raises(acausal.AcausalError, match="only the middle branch"):
+        acausal.loads(text.format(level=4)).compile().simulate(stop_time=25, interval=1)
+
+
 def test_levels_drive_alike(drives: dict[int, dict[str, Array]]) -> None:
     """The inertias that the higher levels leave out are small beside those of engine and vehicle."""
     for level in (2, 3, 4, 5):

@@ -4,46 +4,47 @@ model SteadyFlow "Flow at which the net pressure vanishes, with the stator at it
   input Mechanics.Units.AngularVelocity w_p "Speed of the impeller";
   input Mechanics.Units.AngularVelocity w_t "Speed of the turbine";
   Hydraulics.Units.VolumeFlowRate Q "Flow";
-  Boolean high(start = true, fixed = true) "Whether Q is the largest stable solution, else it is the smallest";
+  Boolean high(start = true, fixed = true) "Whether Q is the largest solution, else it is the smallest";
 protected
-  constant Integer n = 12 "Grid points in either direction";
-  constant Integer bisections = 14 "Bisections of the interval between two grid points";
+  constant Integer bisections = 15 "Bisections of the interval that has one solution";
   constant Integer corrections = 3 "Newton steps after them";
-  constant Mechanics.Units.Ratio share = 0.02 "Largest flow of the lower solution over the largest flow of the grid";
+  constant Mechanics.Units.Ratio margin = 0.01
+    "Part of the depth between both branches at which one is left before it ends; chosen: a tenth of the flow's range";
   Hydraulics.Units.VolumeFlowRate Q_max(start = 0.2, nominal = 0.1) "Flow that is larger than any solution";
-  Hydraulics.Units.VolumeFlowRate grid[2*n + 1] "Grid, denser at small flows";
-  Hydraulics.Units.PressureDifference p[2*n + 1] "Net pressure on the grid";
-  Mechanics.Units.Ratio falls[2*n] "1 where the net pressure falls through zero between two points: a stable solution";
-  Hydraulics.Units.VolumeFlowRate up[2*n + 1] "Lower end of the last interval found on the way up";
-  Hydraulics.Units.VolumeFlowRate down[2*n + 1] "Lower end of the last interval found on the way down";
-  Hydraulics.Units.VolumeFlowRate upEnd[2*n + 1] "Upper end of the last interval found on the way up";
-  Hydraulics.Units.VolumeFlowRate downEnd[2*n + 1] "Upper end of the last interval found on the way down";
+  Hydraulics.Units.VolumeFlowRate Q_m(start = 0.01, nominal = 0.01) "Forward flow of the largest net pressure";
+  Hydraulics.Units.PressureDifference p_m "Net pressure there";
+  Hydraulics.Units.PressureDifference p_0 "Net pressure where the blending of both directions ends";
+  Hydraulics.Units.PressureDifference depth "How far the net pressure falls from the upper branch's end to the lower's";
+  Hydraulics.Units.PressureDifference rest "Negative where the present branch is left";
+  Boolean leaves "Whether it is";
+  discrete Mechanics.Units.Time t_left(start = -1e60, fixed = true) "When a branch was left last";
+  Integer returns(start = 0, fixed = true) "How often the other branch was left in the same instant";
+  Hydraulics.Units.VolumeFlowRate least "Left end of the lower branch's interval";
   Hydraulics.Units.VolumeFlowRate left[bisections + 1] "Left end of the interval";
   Hydraulics.Units.VolumeFlowRate right[bisections + 1] "Right end of the interval";
   Hydraulics.Units.VolumeFlowRate Q_i[corrections + 1] "Flow before each Newton step";
   Hydraulics.Units.VolumeFlowRate h "Half the distance of the difference that gives the slope";
 equation
-  // Grid
+  // Between the branches the net pressure rises: from the end of the blending to the largest forward pressure
   Q_max = geometry.A*geometry.R_p*sqrt(w_p^2 + w_t^2 + w_small^2) + 10*geometry.Q_0;
-  grid = {Q_max*(k/n)^3 for k in -n:n};
-  for k in 1:2*n + 1 loop
-    p[k] = Functions.balance(grid[k], w_p, w_t, geometry);
-  end for;
-  // Stable solutions: the first and the last
-  up[1] = grid[1];
-  upEnd[1] = grid[2*n + 1];
-  down[2*n + 1] = grid[1];
-  downEnd[2*n + 1] = grid[2*n + 1];
-  for k in 1:2*n loop
-    falls[k] = noEvent(if p[k] > 0 and not p[k + 1] > 0 then 1 else 0);
-    up[k + 1] = noEvent(if falls[k] > 0.5 then grid[k] else up[k]);
-    upEnd[k + 1] = noEvent(if falls[k] > 0.5 then grid[k + 1] else upEnd[k]);
-    down[k] = noEvent(if falls[k] > 0.5 then grid[k] else down[k + 1]);
-    downEnd[k] = noEvent(if falls[k] > 0.5 then grid[k + 1] else downEnd[k + 1]);
-  end for;
-  // Bisection
-  left[1] = if pre(high) then up[2*n + 1] else down[1];
-  right[1] = if pre(high) then upEnd[2*n + 1] else downEnd[1];
+  Q_m = noEvent(max(geometry.Q_0, Functions.flowOfLargestPressure(w_p, w_t, geometry)));
+  p_m = Functions.balance(Q_m, w_p, w_t, geometry);
+  p_0 = Functions.balance(geometry.Q_0, w_p, w_t, geometry);
+  depth = noEvent(max(0, p_m - p_0));
+  // The branch is kept until shortly before it ends
+  rest = if pre(high) then p_0 + (1 - margin)*depth else -p_0 - margin*depth;
+  leaves = rest < 0;
+  high = if pre(returns) > 2 then pre(high) else pre(high) <> leaves;
+  when {high, not high} then
+    returns = if time > pre(t_left) then 0 else pre(returns) + 1;
+    t_left = time;
+  end when;
+  assert(returns < 3, "no stable steady flow carries these torques: only the middle branch does; levels 1 and 3 follow it,"
+    + " acausal.study.converter.steady_state computes it");
+  // Bisection of an interval with one stable solution; beyond its branch's end Q stays at the interval's
+  least = noEvent(if Functions.balance(-geometry.Q_0, w_p, w_t, geometry) > 0 then -geometry.Q_0 else -Q_max);
+  left[1] = if pre(high) then noEvent(if p_m > p_0 then Q_m else geometry.Q_0) else least;
+  right[1] = if pre(high) then Q_max else geometry.Q_0;
   for i in 1:bisections loop
     left[i + 1] = noEvent(
       if Functions.balance((left[i] + right[i])/2, w_p, w_t, geometry) > 0 then (left[i] + right[i])/2 else left[i]);
@@ -53,20 +54,24 @@ equation
   h = 1e-7*Q_max;
   Q_i[1] = (left[bisections + 1] + right[bisections + 1])/2;
   for i in 1:corrections loop
-    Q_i[i + 1] = Q_i[i] - Functions.balance(Q_i[i], w_p, w_t, geometry)*2*h/noEvent(min(-p_small,
-      Functions.balance(Q_i[i] + h, w_p, w_t, geometry)
-      - Functions.balance(Q_i[i] - h, w_p, w_t, geometry)));
+    Q_i[i + 1] = noEvent(max(left[bisections + 1], min(right[bisections + 1],
+      Q_i[i] - Functions.balance(Q_i[i], w_p, w_t, geometry)*2*h/min(-p_small,
+        Functions.balance(Q_i[i] + h, w_p, w_t, geometry)
+        - Functions.balance(Q_i[i] - h, w_p, w_t, geometry)))));
   end for;
   Q = Q_i[corrections + 1];
-  // Between speed ratios of about 0.98 and 1 there are two: the branch is kept until it ends
-  high = Q > share*Q_max;
 protected
   constant Hydraulics.Units.PressureDifference p_small = 1e-12 "Keeps the slope away from zero";
   constant Mechanics.Units.AngularVelocity w_small = 0.1 "Keeps the root differentiable at rest";
   annotation(Documentation(info = "<html>
-<p>The net pressure is evaluated on a grid; where it falls through zero there is a stable solution. Fourteen bisections
-and three Newton steps find it to rounding. Among several the one is kept that the history led to: <code>high</code> is
-discrete, and changes where its branch ends. The start is on the branch that continues from lower speed ratios.</p>
-<p>All of it are explicit assignments: there is no iteration that could fail.</p>
+<p>Up to the flow Q_0 the net pressure falls, then it rises to that of Q_m, beyond which it falls again: there is one
+solution below Q_0 (the lower branch: nearly no flow, and reverse flow) or one above Q_m (the upper branch), or both.
+Bisection of the one interval or the other and three Newton steps find it to rounding.</p>
+<p>Where both exist the one is kept that the history led to: <code>high</code> is discrete, and changes, by an event,
+shortly before its branch ends, while the flow is still a smooth function of the speeds. Beyond the end the flow stays
+at that of the end, so that a step of a solver that looks beyond the event finds no jump. The start is on the branch that
+continues from lower speed ratios.</p>
+<p>All of it are explicit assignments: there is no iteration that could fail. It holds for a turbine that turns backward
+with up to 0.6 of the impeller's speed, as well; beyond, a third solution with the turbine as pump exists.</p>
 </html>"));
 end SteadyFlow;
