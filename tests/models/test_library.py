@@ -25,6 +25,7 @@ AT_REST = (
     "Hydraulics.Examples.RegulatorBench",
     "Hydraulics.Examples.ReliefHoldsPressure",
     "Hydraulics.Examples.ReliefSpool",
+    "Hydraulics.Examples.ReliefSpoolMineralOil",
     "Hydraulics.Examples.SpoolBetweenStops",
     "Hydraulics.Examples.ThreeWaySpool",
     "Mechanics.Rotational.Examples.ElasticPlanetaryWindUp",

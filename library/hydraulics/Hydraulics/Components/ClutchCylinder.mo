@@ -1,6 +1,8 @@
 within Hydraulics.Components;
 model ClutchCylinder "Cylinder of a clutch: feed orifice, chamber and piston, at rest or turning with a shaft"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.Area A "Area of the piston";
   parameter Units.Volume V_0 = 100e-6 "Dead volume; nominal value of the study";
   parameter Units.Diameter d_feed = 3e-3 "Feed orifice; chosen: fills the chamber within 0.2 s at 5 bar";

@@ -1,6 +1,8 @@
 within Hydraulics.Interfaces;
 partial model PartialFeedback "Pressure that acts on a land of a spool"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure";
   parameter Types.Direction pushes = Types.Direction.Positive "Direction in which the pressure pushes the spool";
   parameter Units.Area A "Area of the land";

@@ -1,6 +1,8 @@
 within Hydraulics.Valves;
 model MainRegulatorValve "Main regulator: three edges relieve the line, feedback opens, spring and pilot close"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure in both chambers";
   // Spool
   parameter Mechanics.Units.Mass m = 1e-3 "Mass of the spool; nominal value of the study";

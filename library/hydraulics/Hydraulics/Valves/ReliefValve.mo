@@ -1,6 +1,8 @@
 within Hydraulics.Valves;
 model ReliefValve "Spool that opens an edge from its inlet volume to the drain"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   parameter Units.AbsolutePressure p_start = Constants.p_atmosphere "Proposed initial pressure of the inlet";
   // Spool
   parameter Mechanics.Units.Mass m "Mass of the spool";

@@ -1,6 +1,8 @@
 within Hydraulics.Valves;
 model ThreeWayMap "Outlet pressure as a weighted mean of supply and drain"
-  parameter Media.DexronVI fluid "Oil";
+  replaceable package Oil = Media.OilDexronVI constrainedby Media.PartialOil "Oil whose data are the default"
+    annotation(choicesAllMatching = true);
+  parameter Media.Fluid fluid = Oil.data "Oil";
   Interfaces.Port supply "Supply";
   Interfaces.Port drain "Drain";
   Interfaces.Port outlet "Outlet";

@@ -1,7 +1,9 @@
 within TenSpeed.Converter;
 model TorqueConverter "Torque converter: hydrodynamic circuit, lock-up clutch and its cylinder"
   parameter Geometry geometry "Hydrodynamic circuit";
-  parameter Hydraulics.Media.DexronVI fluid "Oil of the cylinder";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of the cylinder";
   parameter Boolean hasCylinder = true "true: the lock-up clutch has its own cylinder, false: its force is an input"
     annotation(Evaluate = true);
   parameter Mechanics.Units.AngularVelocity w_p_start = 0 "Proposed initial speed of the impeller";

@@ -1,6 +1,8 @@
 within TenSpeed.Gearbox;
 model Architecture "Eight bodies, four gearsets, three clutches, three brakes, two-way clutch and their cylinders"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Mechanics.Units.Inertia J[8] = {0.02, 0.03, 0.02, 0.015, 0.004, 0.004, 0.006, 0.02}
     "Inertias of bodies 1 to 8";
   // Shafts and pressures

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model AccumulatorBench "Accumulator valve alone at a line whose pressure rises and falls"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.LineAccumulator constrainedby Valves.LineAccumulator "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   replaceable Hydraulics.Sources.PressureSource supply(
     p_start = 101325,
     p_end = 12e5,

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model ConverterDrive "60 s of driving: tip-in, lock, tip-out, engine braking, unlock, overrunning, stop"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of the lock-up cylinder";
   replaceable model Torus = Converter.TorusL1 constrainedby Converter.PartialTorus "Level of the circuit"
     annotation(choicesAllMatching = true);
-  Converter.TorqueConverter converter(redeclare model Torus = Torus, w_p_start = 80) "Torque converter";
+  Converter.TorqueConverter converter(redeclare model Torus = Torus, final fluid = fluid, w_p_start = 80) "Torque converter";
   Converter.Engine engine "Engine";
   Converter.VehicleShaft vehicle "Vehicle in fifth gear";
   Signals.Sources.SmoothSteps torque(

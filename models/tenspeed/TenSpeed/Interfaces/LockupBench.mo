@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model LockupBench "Lock-up control valve alone: command pressure, supply, drain and load"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.LockupControl constrainedby Valves.LockupControl "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   Signals.Sources.SmoothSteps command(
     times = {0.2*k for k in 1:20},
     values = 101325*ones(21) + 0.6e5*cat(1, {k for k in 0:10}, {10 - k for k in 1:10}),
@@ -11,7 +14,7 @@ partial model LockupBench "Lock-up control valve alone: command pressure, supply
   replaceable Hydraulics.Sources.PressureSource supply(p_start = 10.5e5) constrainedby Hydraulics.Interfaces.PartialSource
     "Supply, a pressure or a flow";
   Hydraulics.Sources.Tank drain "Drain";
-  Hydraulics.Components.Orifice load(d = 1e-3) "Load; chosen: leakage of the clutch";
+  Hydraulics.Components.Orifice load(final fluid = fluid, d = 1e-3) "Load; chosen: leakage of the clutch";
   Hydraulics.Sources.Tank sink "Behind the load";
   output Hydraulics.Units.AbsolutePressure p_command = valve.command.p "Command";
   output Hydraulics.Units.AbsolutePressure p_supply = valve.supply.p "Pressure of the supply";

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model MainRegulatorBench "Main regulator alone, its outlets at prescribed pressures"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.MainRegulator constrainedby Valves.MainRegulator "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   replaceable Hydraulics.Sources.FlowSource supply(
     q_start = 5/60000,
     q_end = 30/60000,

@@ -1,6 +1,8 @@
 within TenSpeed.Interfaces;
 partial model MainRegulatorCircuit "Main-regulator circuit without its supply"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   Hydraulics.Components.Volume line(
     n = 3,
     V_0 = 500e-6,

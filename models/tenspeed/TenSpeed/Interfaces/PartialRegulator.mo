@@ -1,6 +1,8 @@
 within TenSpeed.Interfaces;
 partial model PartialRegulator "What the valves of the regulation circuit have in common"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   parameter Mechanics.Units.Mass m = 1e-3 "Mass of the spool; nominal value of the study";
   parameter Real dampingFactor(unit = "1") = 0.05 "Damping factor; nominal value of the study";

@@ -1,6 +1,8 @@
 within TenSpeed.Interfaces;
 partial model PartialSolenoidStage "Hydraulic part of a solenoid valve"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   parameter Mechanics.Units.Mass m "Mass of plunger and spool";
   parameter Mechanics.Units.TranslationalSpringConstant c "Stiffness of the spring";

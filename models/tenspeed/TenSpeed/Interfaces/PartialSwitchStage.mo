@@ -1,6 +1,8 @@
 within TenSpeed.Interfaces;
 partial model PartialSwitchStage "Spool of a switch valve, or what stands for it"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   parameter Mechanics.Units.Mass m "Mass of the spool";
   parameter Mechanics.Units.TranslationalSpringConstant c "Stiffness of the spring";

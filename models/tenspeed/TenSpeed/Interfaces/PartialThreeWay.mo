@@ -1,6 +1,8 @@
 within TenSpeed.Interfaces;
 partial model PartialThreeWay "Valve with supply, outlet and drain, and its balance of mass"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   Hydraulics.Interfaces.Port supply "Supply";
   Hydraulics.Interfaces.Port drain "Drain";

@@ -1,5 +1,8 @@
 within TenSpeed.Interfaces;
 partial model RegulationCircuit "Pump or pressure, main, lubrication and converter regulators, accumulator valve"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of the circuit";
   replaceable model Main = Valves.MainRegulator constrainedby Valves.MainRegulator "Level of the main regulator"
     annotation(choicesAllMatching = true);
   replaceable model Lubrication = Valves.LubricationRegulator constrainedby PartialReliefRegulator
@@ -18,12 +21,12 @@ partial model RegulationCircuit "Pump or pressure, main, lubrication and convert
     values = {101325, 3e5},
     duration = 0.1) "Pressure of the line's solenoid: at rest, then in the middle of its range";
   Hydraulics.Sources.PressureSignal pilot "Line's solenoid";
-  Main main "Main regulator with the line";
-  Converter converter "Converter regulator with its line";
-  Lubrication lubrication "Lubrication regulator with its line";
-  Accumulator accumulator "Accumulator valve at the line";
-  Hydraulics.Components.Orifice converterLoad(d = 2e-3) "Torque converter and cooler; chosen: 6 l/min";
-  Hydraulics.Components.Orifice lubricationLoad(d = 2.5e-3) "Consumers of lubrication; chosen: 4.5 l/min";
+  Main main(final fluid = fluid) "Main regulator with the line";
+  Converter converter(final fluid = fluid) "Converter regulator with its line";
+  Lubrication lubrication(final fluid = fluid) "Lubrication regulator with its line";
+  Accumulator accumulator(final fluid = fluid) "Accumulator valve at the line";
+  Hydraulics.Components.Orifice converterLoad(final fluid = fluid, d = 2e-3) "Torque converter and cooler; chosen: 6 l/min";
+  Hydraulics.Components.Orifice lubricationLoad(final fluid = fluid, d = 2.5e-3) "Consumers of lubrication; chosen: 4.5 l/min";
   Hydraulics.Sources.Tank sump "Sump and pump inlet";
   output Hydraulics.Units.AbsolutePressure p_line = main.line.p "Pressure of the line";
   output Hydraulics.Units.AbsolutePressure p_converter = converter.inlet.p "Pressure of the converter line";
@@ -52,9 +55,9 @@ equation
   connect(lubricationLoad.port_b, sump.port);
   connect(lubrication.drain, sump.port);
   // Balance
-  inflow = -Hydraulics.Media.density(p_line, main.fluid)*supply.port.q
-    - Hydraulics.Media.density(pilot.port.p, main.fluid)*pilot.port.q;
-  outflow = Hydraulics.Media.density(sump.port.p, main.fluid)*sump.port.q;
+  inflow = -Hydraulics.Media.density(p_line, fluid)*supply.port.q
+    - Hydraulics.Media.density(pilot.port.p, fluid)*pilot.port.q;
+  outflow = Hydraulics.Media.density(sump.port.p, fluid)*sump.port.q;
   annotation(Documentation(info = "<html>
 <p>The main regulator feeds first the converter, then lubrication, and returns the rest; the converter regulator passes on
 to lubrication what the converter does not take. inflow - outflow = d m_oil/dt. With a flow source the line's pressure is a

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model ReliefRegulatorBench "Lubrication or converter regulator alone: supply, feed, load and drain"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.LubricationRegulator constrainedby PartialReliefRegulator "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   parameter Hydraulics.Units.Diameter d_load = 2e-3 "Load";
   parameter Hydraulics.Units.AbsolutePressure p_drain = 101325 "Pressure behind the valve";
   replaceable Hydraulics.Sources.FlowSource supply(
@@ -10,8 +13,8 @@ partial model ReliefRegulatorBench "Lubrication or converter regulator alone: su
     q_end = 20/60000,
     startTime = 0.5,
     duration = 2) constrainedby Hydraulics.Interfaces.PartialSource "Supply, a flow or a pressure";
-  Hydraulics.Components.LaminarOrifice feed(d = 6e-3, l = 2) "Feed; chosen: 4 bar at 15 l/min";
-  Hydraulics.Components.Orifice load(d = d_load) "Consumers";
+  Hydraulics.Components.LaminarOrifice feed(final fluid = fluid, d = 6e-3, l = 2) "Feed; chosen: 4 bar at 15 l/min";
+  Hydraulics.Components.Orifice load(final fluid = fluid, d = d_load) "Consumers";
   Hydraulics.Sources.Tank sink "Behind the consumers";
   Hydraulics.Sources.PressureSource drain(p_start = p_drain) "Behind the valve";
   output Hydraulics.Units.AbsolutePressure p_out = valve.inlet.p "Pressure that the valve regulates";

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model SolenoidBench "Solenoid valve alone: current command, supply, drain and a load at the outlet"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.LinearSolenoid constrainedby PartialSolenoidValve "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   Signals.Sources.SmoothSteps command(
     times = {0.2*k for k in 1:20},
     values = cat(1, {0.1*k for k in 0:10}, {0.1*(10 - k) for k in 1:10}),
@@ -10,7 +13,7 @@ partial model SolenoidBench "Solenoid valve alone: current command, supply, drai
   replaceable Hydraulics.Sources.PressureSource supply(p_start = 10.5e5) constrainedby Hydraulics.Interfaces.PartialSource
     "Supply, a pressure or a flow";
   Hydraulics.Sources.Tank drain "Drain";
-  Hydraulics.Components.Orifice load(d = 0.6e-3) "Load; chosen: leakage of a clutch's seals";
+  Hydraulics.Components.Orifice load(final fluid = fluid, d = 0.6e-3) "Load; chosen: leakage of a clutch's seals";
   Hydraulics.Sources.Tank sink "Pressure behind the load";
   output Electrical.Units.Current i_cmd = command.y "Command";
   output Electrical.Units.Current i = valve.i "Current in the coil";

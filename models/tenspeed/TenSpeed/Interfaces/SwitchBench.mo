@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model SwitchBench "Switch valve alone: pilot pressure, supply, drain and a load at the outlet"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.SwitchValve constrainedby Valves.SwitchValve "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   Signals.Sources.SmoothSteps command(
     times = {0.2, 2.6},
     values = {101325, 6e5, 101325},
@@ -11,7 +14,7 @@ partial model SwitchBench "Switch valve alone: pilot pressure, supply, drain and
   replaceable Hydraulics.Sources.PressureSource supply(p_start = 10.5e5) constrainedby Hydraulics.Interfaces.PartialSource
     "Supply, a pressure or a flow";
   Hydraulics.Sources.Tank drain "Drain";
-  Hydraulics.Components.Orifice load(d = 1e-3) "Load; chosen: leakage of a clutch's seals and of its line";
+  Hydraulics.Components.Orifice load(final fluid = fluid, d = 1e-3) "Load; chosen: leakage of a clutch's seals and of its line";
   Hydraulics.Sources.Tank sink "Pressure behind the load";
   output Hydraulics.Units.AbsolutePressure p_pilot = valve.pilot.p "Pilot pressure";
   output Mechanics.Units.Position s = valve.s "Position of the spool";

@@ -1,8 +1,11 @@
 within TenSpeed.Interfaces;
 partial model TwoWayClutchBench "Two-way-clutch valve alone, its pressures prescribed"
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil of valve and loads";
   replaceable model Valve = Valves.TwoWayClutchValve constrainedby Valves.TwoWayClutchValve "Valve under test"
     annotation(choicesAllMatching = true);
-  Valve valve "Valve under test";
+  Valve valve(final fluid = fluid) "Valve under test";
   Signals.Sources.SmoothSteps drive(
     times = {0.1, 3.1},
     values = {101325, 3.5e5, 101325},

@@ -1,6 +1,8 @@
 within TenSpeed.Valves;
 model TwoWayClutchValve "Two-way-clutch valve: two pressures push to drive, two to reverse, detents hold both positions"
-  parameter Hydraulics.Media.DexronVI fluid "Oil";
+  replaceable package Oil = Hydraulics.Media.OilDexronVI constrainedby Hydraulics.Media.PartialOil
+    "Oil whose data are the default" annotation(choicesAllMatching = true);
+  parameter Hydraulics.Media.Fluid fluid = Oil.data "Oil";
   parameter Hydraulics.Units.AbsolutePressure p_start = 101325 "Proposed initial pressures";
   parameter Mechanics.Units.Mass m = 50e-3 "Mass of the spool and of what it moves; chosen: steel, 12 mm by 60 mm";
   parameter Mechanics.Units.TranslationalDampingConstant d = 10 "Damping; chosen: seals and oil film";
