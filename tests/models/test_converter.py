@@ -192,7 +192,9 @@ def test_drive(drives: dict[int, dict[str, Array]], level: int) -> None:
 
 @pytest.mark.parametrize("level", [2, 4])
 @pytest.mark.parametrize("solver", ["cvode", "ida"])
-def test_no_solver_meets_the_end_of_a_branch(drives: dict[int, dict[str, Array]], level: int, solver: str) -> None:
+def test_no_solver_meets_the_end_of_a_branch(
+    drives: dict[int, dict[str, Array]], level: int, solver: str
+) -> None:
     """Levels 2 and 4 change the branch shortly before it ends."""
     compiled = acausal.load(f"TenSpeed.Benches.TorqueConverterDriveL{level}").compile()
     run = compiled.simulate(solver=solver, rtol=1e-5)

@@ -10,8 +10,18 @@ import acausal
 
 MINERAL = "redeclare package Oil = Hydraulics.Media.OilMineralVG32"
 BENCHES = [
-    *(f"{name}L{level}" for name in ("LinearSolenoid", "LubricationRegulator", "CutValve") for level in (1, 5)),
-    *("ShiftSolenoidL1", "MainRegulatorFlowL1", "MainRegulatorPressureL5", "ConverterRegulatorL5", "LockupControlL1"),
+    *(
+        f"{name}L{level}"
+        for name in ("LinearSolenoid", "LubricationRegulator", "CutValve")
+        for level in (1, 5)
+    ),
+    *(
+        "ShiftSolenoidL1",
+        "MainRegulatorFlowL1",
+        "MainRegulatorPressureL5",
+        "ConverterRegulatorL5",
+        "LockupControlL1",
+    ),
     *("LineAccumulatorL1", "LineAccumulatorL4", "TwoWayClutchValveL1", "RegulationCircuitPressure"),
     "TorqueConverterDriveL4",
 ]
@@ -42,9 +52,9 @@ def viscosities(text: str) -> set[str]:
 def test_another_oil_changes_a_run() -> None:
     """A laminar flow is in inverse proportion to the viscosity."""
     runs = [
-        acausal.loads(
-            f"model X extends Hydraulics.Examples.LaminarOrificeFlow{oil}; end X;"
-        ).compile().simulate()
+        acausal.loads(f"model X extends Hydraulics.Examples.LaminarOrificeFlow{oil}; end X;")
+        .compile()
+        .simulate()
         for oil in ("", f"(capillary({MINERAL}))")
     ]
     flows = [abs(float(run.values("capillary.m_flow")[-1])) for run in runs]
