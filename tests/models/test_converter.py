@@ -208,7 +208,8 @@ def test_a_torque_of_the_middle_branch_is_refused_at_level_4() -> None:
     """Levels 1 and 3 find it at the speed that the study computes."""
     text = """model X extends TenSpeed.Interfaces.ConverterBench(
       redeclare model Torus = TenSpeed.Converter.TorusL{level},
-      redeclare TenSpeed.Converter.TorqueSource impellerSource(tau_start=140, tau_end=10, startTime=1, duration=20),
+      redeclare TenSpeed.Converter.TorqueSource impellerSource(
+        tau_start=140, tau_end=10, startTime=1, duration=20),
       redeclare TenSpeed.Converter.SpeedSource turbineSource(w_start=180)); end X;"""
     run = acausal.loads(text.format(level=3)).compile().simulate(stop_time=25, interval=1)
     assert float(run.values("impellerSpeed")[-1]) == pytest.approx(180.9, abs=0.1)
