@@ -131,10 +131,11 @@ def _indices(name: str, group: str, variables: list[tuple[str, str]]) -> str:
 def _memory(plan: Plan, name: str) -> str:
     system = plan.code.system
     states, modes = len(system.states), len(system.zero_crossings)
+    tearing = len(plan.code.dynamic.guesses)
     entries, capacity = plan.elimination.rows.size, plan.capacity
     arguments, results, integers, _ = plan.sizes()
     sizes = {
-        "NUMBERS": f"{numbers_of(plan)} + AC_DOUBLES({states}, {modes}, {plan.code.pattern.nnz()}) + "
+        "NUMBERS": f"{numbers_of(plan)} + AC_DOUBLES({states}, {modes}, {tearing}, {plan.code.pattern.nnz()}) + "
         f"AC_LU_DOUBLES({states}, {entries}, {capacity})",
         "INTS": f"{ints_of(plan)} + {modes} + AC_LU_INTS({states}, {capacity}) + 1",
         "LONGS": f"{integers + states}",

@@ -15,6 +15,7 @@ enum {
     AC_EVENT = 2,     /* a zero crossing: see `t`, `x`, `crossed` */
     AC_PAUSE = 3,     /* `budget` steps were taken */
     AC_VIOLATED = 4,  /* a condition is false at the row written last */
+    AC_REFUSED = 5,   /* inside: a step has to be made in another way */
     AC_NOT_FINITE = -1,     /* derivatives are not finite, with the shortest step too; at the model's `t`, `x` */
     AC_STEP_TOO_SMALL = -2, /* the error test fails with the shortest step */
     AC_TOO_MANY_STEPS = -3,
@@ -113,7 +114,8 @@ typedef struct {
     double rtol;
     const double *atol, *nominal;
     double min_step, max_step; /* max_step 0: none */
-    double step, origin;       /* fixed step and where its grid begins */
+    double step, origin;       /* fixed step and where its grid begins; with variable steps: where steps end that
+                                * nothing but `max_step` keeps short, or 0 */
     double sample;             /* roots are looked at this often, seconds */
     ac_long max_steps;
     double (*clock)(void);     /* seconds, or null */
@@ -124,10 +126,12 @@ typedef struct {
     double *x;                 /* at `t` */
     double *x0, *x1, *f0, *f1, *f_old;
     double *k1, *k2, *k3;      /* dense output, see ac_interpolate */
+    double *z1;                /* with f1: solution of the blocks at t1 */
     double *stage, *k, *scale, *ratio, *error;
     double *side, *slack, *slack0, *g_old, *g_new, *g_try, *g_mid;
     int *crossed;
-    int have_step, have_f0, have_old, have_jacobian, have_dense, first, last_rejected;
+    int have_step, have_f0, have_old, have_jacobian, have_dense, have_end, first, last_rejected;
+    int pause, longer;         /* limited steps until RODAS3 is tried again, and after its next failure */
     double h_next, h_accepted, err_accepted, h_old;
     ac_long index;             /* fixed steps: number of the next grid point */
     ac_lu lu;
@@ -140,11 +144,13 @@ typedef struct {
     ac_long *error_failures, *convergence_failures;
 } ac_solver;
 
-/* Memory of a solver over `n` states, `m` crossings and `entries` of the Jacobian; the same for static arrays. */
-#define AC_DOUBLES(n, m, entries) ((AC_VECTORS + AC_MAX_STAGES + 1) * (n) + AC_ROOTS_OF * (m) + (entries))
+/* Memory of a solver over `n` states, `m` crossings, `z` tearing variables and `entries` of the Jacobian; the same for
+ * static arrays. */
+#define AC_DOUBLES(n, m, z, entries) \
+    ((AC_VECTORS + AC_MAX_STAGES + 1) * (n) + AC_ROOTS_OF * (m) + (z) + (entries))
 #define AC_LU_DOUBLES(n, entries_w, capacity) ((entries_w) + 2 * (capacity) + 2 * (n))
 #define AC_LU_INTS(n, capacity) (2 * (capacity) + 7 * (n) + 2)
-int ac_doubles(int n, int m, int entries);
+int ac_doubles(int n, int m, int z, int entries);
 int ac_ints(int m);
 /* Hands it out. The fields up to `diagonal` are set, and `lu.n, ap, ai, q`. */
 void ac_init(ac_solver *s, double *doubles, int *ints);
@@ -180,6 +186,10 @@ void ac_lu_solve(const ac_lu *lu, const double *b, double *x);
 int ac_prepare(ac_solver *s, double h, double gamma);
 int ac_stages(ac_solver *s, const ac_rosenbrock *table, double h);
 int ac_variable_step(ac_solver *s, double until);
+int ac_limited_step(ac_solver *s, double h, double end);
+double ac_measured(ac_solver *s);
+void ac_blame(ac_solver *s, double e, int failed);
+void ac_known(ac_model *m, double t, const double *x, const double *f, const double *z);
 void ac_shorter(ac_solver *s, double h);
 int ac_fixed_step(ac_solver *s, double until);
 int ac_explicit(ac_solver *s, double h);

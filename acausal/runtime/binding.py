@@ -165,9 +165,9 @@ class SolverStructure(Structure):
         *_typed("max_steps", c_longlong),
         *_pointers("clock jmap diagonal"),
         *_typed("t t0 t1 h", c_double),
-        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 stage k scale ratio error"),
+        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 stage k scale ratio error"),
         *_pointers("side slack slack0 g_old g_new g_try g_mid crossed"),
-        *_typed("have_step have_f0 have_old have_jacobian have_dense first last_rejected", c_int),
+        *_typed("have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected pause longer", c_int),
         *_typed("h_next h_accepted err_accepted h_old", c_double),
         *_typed("index", c_longlong),
         ("lu", LuStructure),
@@ -184,7 +184,7 @@ class RunTime:
         library = run_time()
         solver = POINTER(SolverStructure)
         self.doubles = library.ac_doubles
-        self.doubles.argtypes, self.doubles.restype = [c_int] * 3, c_int
+        self.doubles.argtypes, self.doubles.restype = [c_int] * 4, c_int
         self.init = library.ac_init
         self.init.argtypes, self.init.restype = [solver, _DOUBLES, _INTS], None
         self.lu_doubles, self.lu_ints = library.ac_lu_doubles, library.ac_lu_ints

@@ -85,6 +85,20 @@ static void place(ac_model *m, double t, const double *x)
     fill(m, t);
 }
 
+/* Back to a point at which derivatives and blocks are known. */
+void ac_known(ac_model *m, double t, const double *x, const double *f, const double *z)
+{
+    if (m->guesses == 0 || (m->settled && m->t[0] == t && memcmp(m->x, x, bytes(m->states)) == 0)) {
+        return;
+    }
+    m->settled = 0;
+    place(m, t, x);
+    memcpy(m->xdot, f, bytes(m->states));
+    memcpy(m->z, z, bytes(m->guesses));
+    memcpy(m->guess, z, bytes(m->guesses));
+    m->settled = 1;
+}
+
 /* Solves the implicit blocks at the point that is placed. What they find is the next guess. */
 static int solved(ac_model *m)
 {

@@ -5,9 +5,9 @@
 
 #include "acausal_runtime.h"
 
-int ac_doubles(int n, int m, int entries)
+int ac_doubles(int n, int m, int z, int entries)
 {
-    return AC_DOUBLES(n, m, entries);
+    return AC_DOUBLES(n, m, z, entries);
 }
 
 int ac_ints(int m)
@@ -36,6 +36,7 @@ void ac_init(ac_solver *s, double *doubles, int *ints)
     for (size_t i = 0; i < sizeof roots / sizeof roots[0]; i++) {
         *roots[i] = take(&doubles, m->crossings);
     }
+    s->z1 = take(&doubles, m->guesses);
     s->ratio = take(&doubles, m->entries + n); /* the last n: d xdot / d t */
     s->crossed = ints;
     for (int j = 0, p = 0; j < n; j++) { /* entries of J come by columns, as those of W do */
@@ -75,7 +76,8 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side, cons
         memcpy(s->x, x, bytes);
         memcpy(s->x1, x, bytes);
     }
-    s->have_step = s->have_f0 = s->have_old = s->have_jacobian = 0;
+    s->have_step = s->have_f0 = s->have_old = s->have_jacobian = s->have_end = 0;
+    s->pause = s->longer = 1;
     s->first = 1;
     s->last_rejected = 0;
     s->err_accepted = 1e-2;
@@ -211,6 +213,9 @@ int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *f
         double *row = rows + (size_t)*filled * (size_t)s->model->outputs;
         if (s->have_step && !s->have_dense && grid[*filled] < s->t1) {
             ac_hermite(s);
+        }
+        if (s->have_end && grid[*filled] == s->t1) {
+            ac_known(s->model, s->t1, s->x1, s->f1, s->z1);
         }
         if (s->have_step) {
             ac_interpolate(s, grid[*filled], s->stage);

@@ -59,7 +59,8 @@ double ac_first_step(ac_solver *s, double until)
     return fmax(fmin(fmin(100.0 * h, guess), longest), s->min_step);
 }
 
-static double measured(ac_solver *s)
+/* The error of the last stages. */
+double ac_measured(ac_solver *s)
 {
     int n = s->model->states;
     if (!ac_finite(s->x1, n) || !ac_finite(s->error, n)) {
@@ -71,7 +72,7 @@ static double measured(ac_solver *s)
 }
 
 /* Adds each state's share of the squared error, and counts the failure for the largest. */
-static void blame(ac_solver *s, double e, int failed)
+void ac_blame(ac_solver *s, double e, int failed)
 {
     int n = s->model->states;
     if (!(e > 0.0) || !isfinite(e)) {
@@ -116,7 +117,16 @@ static int begun(ac_solver *s, double until)
 {
     ac_model *m = s->model;
     int n = m->states;
-    int code = ac_slope(m, s->t0, s->x0, s->f0);
+    int code = 0;
+    if (s->have_end) {
+        double *start = s->f1;
+        s->f1 = s->f0;
+        s->f0 = start;
+        s->have_end = 0;
+        ac_known(m, s->t0, s->x0, s->f0, s->z1);
+    } else {
+        code = ac_slope(m, s->t0, s->x0, s->f0);
+    }
     if (code != 0) {
         return code;
     }
@@ -150,6 +160,30 @@ static void accept(ac_solver *s, double h, double e)
     s->steps++;
 }
 
+/* The length of the next step, and where it ends. One that its limit alone keeps short ends on the grid of such steps. */
+static double length(const ac_solver *s, double until, double *end)
+{
+    double left = until - s->t0;
+    double h = fmin(s->h_next, left);
+    if (s->model->crossings > 0 && s->sample > 0.0) {
+        h = fmin(h, (double)AC_MAX_LOOKS * s->sample);
+    }
+    *end = until;
+    if (h >= left * (1.0 - 1e-12)) {
+        return left;
+    }
+    if (s->step > 0.0 && h >= s->step) {
+        double next = s->origin + (floor((s->t0 - s->origin) / s->step + 1e-6) + 1.0) * s->step;
+        if (next > s->t0 && next - s->t0 <= h * (1.0 + 1e-6)) {
+            *end = until - next > 1e-9 * s->step ? next : until;
+            return *end - s->t0;
+        }
+    }
+    h = h > 0.5 * left ? 0.5 * left : h;
+    *end = s->t0 + h;
+    return h;
+}
+
 /* One accepted step from (t1, x1) on, not beyond `until`. */
 int ac_variable_step(ac_solver *s, double until)
 {
@@ -162,30 +196,25 @@ int ac_variable_step(ac_solver *s, double until)
         return code;
     }
     for (;;) {
-        double left = until - s->t0;
-        double h = fmin(s->h_next, left);
-        if (s->model->crossings > 0 && s->sample > 0.0) {
-            h = fmin(h, (double)AC_MAX_LOOKS * s->sample);
-        }
-        double shortest = fmin(s->min_step, left);
-        int ends = h >= left * (1.0 - 1e-12);
-        if (ends) {
-            h = left;
-        } else if (h > 0.5 * left) {
-            h = 0.5 * left;
+        double end;
+        double h = length(s, until, &end);
+        double shortest = fmin(s->min_step, until - s->t0);
+        code = ac_limited_step(s, h, end);
+        if (code != AC_REFUSED) {
+            return code;
         }
         code = n > 0 ? ac_prepare(s, h, ac_rodas5p.gamma) : 0;
         code = code == 0 ? ac_stages(s, &ac_rodas5p, h) : code;
         if (code == AC_MEMORY) {
             return code;
         }
-        double e = code == 0 ? measured(s) : INFINITY;
+        double e = code == 0 ? ac_measured(s) : INFINITY;
         if (code == 0 && isinf(e)) {
         }
         if (e <= 1.0) {
-            blame(s, e, 0);
+            ac_blame(s, e, 0);
             s->h = h;
-            s->t1 = ends ? until : s->t0 + h;
+            s->t1 = end;
             double wanted = s->last_rejected ? 0.0 : s->h_next;
             accept(s, h, fmax(e, 1e-10));
             if (h < wanted) { /* it was cut short, which says nothing against the step wanted */
@@ -200,7 +229,7 @@ int ac_variable_step(ac_solver *s, double until)
             blame_convergence(s);
             s->h_next = 0.25 * h;
         } else {
-            blame(s, e, 1);
+            ac_blame(s, e, 1);
             s->h_next = h / fmin(SHRINK, fmax(1.0, pow(e, POWER) / SAFETY));
         }
         if (h <= shortest) {
@@ -218,6 +247,7 @@ void ac_shorter(ac_solver *s, double h)
 {
     s->t = s->t1 = s->t0;
     memcpy(s->x1, s->x0, (size_t)s->model->states * sizeof(double));
+    s->have_end = 0;
     s->h_next = s->h_accepted = h;
     s->err_accepted = 1e-2;
     s->last_rejected = 1;

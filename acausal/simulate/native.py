@@ -75,6 +75,8 @@ class NativeSolver:
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
         self._failed = 0
+        width = self._model.outputs
+        self._rows = np.zeros((max(1, _CHUNK // max(1, width)), width))
         self._judged, self._slow = (0, tolerances.start), 0
         self._compiling = process_time() - began
 
@@ -214,7 +216,7 @@ class NativeSolver:
 
     def _hand_out(self) -> None:
         n, m = self._evaluator.x.size, self._evaluator.m.size
-        memory, count = self._memory, self._run_time.doubles(n, m, self._model.entries)
+        memory, count = self._memory, self._run_time.doubles(n, m, self._model.guesses, self._model.entries)
         doubles, ints = np.zeros(int(count) + 1), np.zeros(m + 1, dtype=np.int32)
         self._run_time.init(self._solver, memory.array(doubles), memory.array(ints))
         self._give_factors(self._elimination.capacity)
@@ -302,18 +304,18 @@ class NativeSolver:
     def sweep(self, targets: Vector, until: float) -> Sweep:
         """Integrates towards `until` until an event, with the outputs at `targets` on the way.
 
-        Comes back early, with the rows so far, where there are many, or where one needs a look.
+        Comes back early, with the rows so far, where there are many, or where one needs a look. The rows are
+        overwritten by the next call.
         """
         if self._failed:
             raise self._failure(self._failed)
         end = min(until, self._evaluator.inputs.next_kink(self._time))
-        wanted = np.ascontiguousarray(targets[targets <= end])
-        width = self._model.outputs
-        most = max(1, _CHUNK // max(1, width))
+        most = len(self._rows)
+        wanted = np.ascontiguousarray(targets[: np.searchsorted(targets, end, "right")])
         if len(wanted) > most:  # the rest comes with the next call: nothing beyond may happen before
             wanted = wanted[:most]
             end = float(wanted[-1])
-        rows = np.zeros((len(wanted), width))
+        rows = self._rows[: len(wanted)]
         filled = ctypes.c_int(0)
         code = self._call(wanted, end, rows, filled)
         self._look_for_interrupts()

@@ -12,6 +12,7 @@ from acausal.lang.flat import Assertion
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at
+from acausal.simulate.rows import Rows
 from acausal.simulate.texts import message_text
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.expressions.text import to_text
@@ -27,12 +28,14 @@ class Ending:
 
 
 class Recorder:
-    """Rows of outputs, one per accepted point. Warnings of assertions are kept once each."""
+    """Rows of outputs, one per accepted point. Warnings of assertions are kept once each.
 
-    def __init__(self, evaluator: Evaluator) -> None:
+    About `expected` rows will come.
+    """
+
+    def __init__(self, evaluator: Evaluator, expected: int = 0) -> None:
         self._evaluator = evaluator
-        self._times: list[float] = []
-        self._rows: list[Vector] = []
+        self._rows = Rows(len(evaluator.code.output_leaves), expected)
         self._violated: dict[Assertion, Diagnostic] = {}
         self.leaves = evaluator.code.output_leaves
         """What the columns of `data` are."""
@@ -44,18 +47,23 @@ class Recorder:
     def take(self) -> tuple[Vector, Vector]:
         """The times and rows that were not taken before. Only the last row stays here."""
         times, rows = self.time[self._taken :], self.data[self._taken :]
-        del self._times[:-1], self._rows[:-1]
-        self._taken = len(self._times)
+        self._rows.keep_last()
+        self._taken = self._rows.count
         return times, rows
 
     @property
     def pending(self) -> int:
         """How many numbers there are to take."""
-        return (len(self._times) - self._taken) * len(self.leaves)
+        return (self._rows.count - self._taken) * len(self.leaves)
 
     def last(self) -> tuple[float, dict[str, float]]:
         """The time and the values of the last row."""
-        return self._times[-1], dict(zip(map(to_text, self.leaves), self._rows[-1].tolist(), strict=True))
+        values = self._rows.data[-1].tolist()
+        return self.last_time, dict(zip(map(to_text, self.leaves), values, strict=True))
+
+    @property
+    def last_time(self) -> float:
+        return float(self._rows.times[-1])
 
     def go_on_with(self, evaluator: Evaluator) -> None:
         """Record another choice of states of the same system from now on, in the same columns."""
@@ -74,26 +82,23 @@ class Recorder:
             evaluator.explain()
             evaluator.output()
         self.count += 1
-        self._times.append(time)
-        self._rows.append(row.copy() if self._order is None else row[self._order])
+        self._rows.add(time, row if self._order is None else row[self._order])
         if evaluator.code.system.assertions:
             self._assert(time)
 
     def is_at(self, time: float) -> bool:
         """Whether the last row is one of this very instant."""
-        return bool(self._times) and self._times[-1] == time
+        return self._rows.count > 0 and self.last_time == time
 
     def extend(self, times: Vector, rows: Vector) -> None:
         """Takes rows that were evaluated elsewhere; `look_again` is for those that need it."""
         self.count += len(times)
-        self._times.extend(times.tolist())
-        self._rows.extend(rows if self._order is None else rows[:, self._order])
+        self._rows.extend(times, rows if self._order is None else rows[:, self._order])
 
     def look_again(self, time: float, x: Vector) -> None:
         """Evaluates the last row anew, and its assertions. Raises `SimulationProblem` as `add` does."""
         self.count -= 1
-        self._times.pop()
-        self._rows.pop()
+        self._rows.drop()
         self.add(time, x)
 
     def _assert(self, time: float) -> None:
@@ -124,8 +129,8 @@ class Recorder:
 
     @property
     def time(self) -> Vector:
-        return np.array(self._times)
+        return self._rows.times
 
     @property
     def data(self) -> Vector:
-        return np.array(self._rows).reshape(len(self._rows), len(self.leaves))
+        return self._rows.data

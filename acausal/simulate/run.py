@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -30,19 +30,16 @@ _AHEAD = 1e-9
 _ROUND = 64 * np.finfo(float).eps
 
 
-def grid(options: Options) -> Iterator[float]:
+def grid(options: Options) -> Vector:
     """Output times after the first one: the chosen ones, or multiples of the interval; then the stop time."""
     start, stop, interval = options.start_time, options.stop_time, options.interval
     if options.times:
-        yield from (time for time in options.times if options.first < time < stop)
-        yield stop
-        return
-    count = int(np.ceil((stop - start) / interval * (1 - 1e-12))) if stop > start else 0
+        return np.array([*(time for time in options.times if options.first < time < stop), stop])
+    if not stop > start:
+        return np.zeros(0)
+    count = int(np.ceil((stop - start) / interval * (1 - 1e-12)))
     done = 1 if options.resumed is None else int((options.first - start) / interval * (1 + 1e-12)) + 1
-    for i in range(done, count):
-        yield start + i * interval
-    if stop > start:
-        yield stop
+    return np.append(start + np.arange(done, count) * interval, stop)
 
 
 @dataclass(frozen=True)
@@ -90,7 +87,7 @@ def run(
             loop.begin(options.start_time, x)
         else:
             loop.go_on(x, after)
-        targets = np.fromiter(grid(options), float)
+        targets = grid(options)
         done = 0
         while done < len(targets) and loop.ended is None:
             done += loop.pace(targets[done:])
@@ -164,7 +161,7 @@ class _Loop:
 
     @property
     def time(self) -> float:
-        return self.recorder.last()[0]
+        return self.recorder.last_time
 
     def standing(self) -> Standing:
         """Where the run stands at the last row."""

@@ -18,7 +18,7 @@ from acausal.simulate.overrides import Override
 from acausal.simulate.record import Recorder
 from acausal.simulate.result import Result, Statistics
 from acausal.simulate.resume import resume
-from acausal.simulate.run import Course, run
+from acausal.simulate.run import Course, grid, run
 from acausal.simulate.solver import Solver
 from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 from acausal.simulate.standing import Standing
@@ -26,6 +26,10 @@ from acausal.simulate.stream import Store, Stream, read_end
 
 After: TypeAlias = "Standing | Result | str | Path"
 """What a run can go on from: another run, or the file of its result."""
+
+
+_SPARE = 256
+"""Rows beyond those of the grid that there is room for: both sides of events."""
 
 
 def simulate(
@@ -131,7 +135,7 @@ def integrate(
     """Integrate from an initial point; the point's evaluator is used up."""
     evaluator = point.evaluator
     code = evaluator.code
-    recorder = Recorder(evaluator)
+    recorder = Recorder(evaluator, 0 if store is not None else len(grid(options)) + _SPARE)
     parameters = dict(zip(code.system.parameters, evaluator.p.tolist(), strict=True))
     stream = Stream(store, code.system, recorder, parameters) if store is not None else None
     began = process_time()

@@ -47,13 +47,21 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
         options.span,
         start=options.start_time,
         sample=options.sample,
-        step=options.step,
+        step=options.step if options.solver in FIXED else _regular(options),
         locate=options.locate,
     )
     name = options.solver
     if name in METHODS and (name not in FIXED or compiler() is not None):
         return NativeSolver(evaluator, limits, name, options.compiled)
     return _other(evaluator, limits, name)
+
+
+def _regular(options: Options) -> float:
+    """The longest step where a whole number of them makes an output interval, so that rows are steps' ends; else 0."""
+    if not options.max_step or options.times:
+        return 0.0
+    count = options.interval / options.max_step
+    return options.interval / round(count) if abs(count - round(count)) < 1e-9 * count else 0.0
 
 
 def _other(evaluator: Evaluator, limits: Tolerances, name: str) -> Solver:

@@ -183,7 +183,7 @@ static void solver(ac_run *r, ac_pool *pool)
     s->lu.ap = plan->w_columns;
     s->lu.ai = plan->w_rows;
     s->lu.q = plan->w_order;
-    r->step_numbers = numbers(pool, ac_doubles(plan->states, plan->modes, plan->entries));
+    r->step_numbers = numbers(pool, ac_doubles(plan->states, plan->modes, plan->guesses, plan->entries));
     r->step_ints = ints(pool, ac_ints(plan->modes));
     r->factor_numbers = numbers(pool, ac_lu_doubles(plan->states, plan->w_entries, plan->capacity));
     r->factor_ints = ints(pool, ac_lu_ints(plan->states, plan->capacity));
