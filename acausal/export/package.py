@@ -135,7 +135,8 @@ def _memory(plan: Plan, name: str) -> str:
     entries, capacity = plan.elimination.rows.size, plan.capacity
     arguments, results, integers, _ = plan.sizes()
     sizes = {
-        "NUMBERS": f"{numbers_of(plan)} + AC_DOUBLES({states}, {modes}, {tearing}, {plan.code.pattern.nnz()}) + "
+        "NUMBERS": f"{numbers_of(plan)} + "
+        f"AC_DOUBLES({states}, {modes}, {tearing}, {plan.code.pattern.nnz()}) + "
         f"AC_LU_DOUBLES({states}, {entries}, {capacity})",
         "INTS": f"{ints_of(plan)} + {modes} + AC_LU_INTS({states}, {capacity}) + 1",
         "LONGS": f"{integers + states}",

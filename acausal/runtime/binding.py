@@ -167,7 +167,10 @@ class SolverStructure(Structure):
         *_typed("t t0 t1 h", c_double),
         *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 stage k scale ratio error"),
         *_pointers("side slack slack0 g_old g_new g_try g_mid crossed"),
-        *_typed("have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected pause longer", c_int),
+        *_typed(
+            "have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected pause longer",
+            c_int,
+        ),
         *_typed("h_next h_accepted err_accepted h_old", c_double),
         *_typed("index", c_longlong),
         ("lu", LuStructure),
