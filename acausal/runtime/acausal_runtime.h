@@ -197,6 +197,6 @@ double ac_first_step(ac_solver *s, double until);
 int ac_search(ac_solver *s);
 int ac_still_to_cross(ac_solver *s, double *distance);
 void ac_hermite(ac_solver *s);
-extern const ac_rosenbrock ac_rodas5p, ac_ros2, ac_lieuler;
+extern const ac_rosenbrock ac_rodas5p, ac_rodas3, ac_ros2, ac_lieuler;
 
 #endif

@@ -49,6 +49,16 @@ static const double rodas5p_h[24] = {
 const ac_rosenbrock ac_rodas5p = {
     8, 5, 0.21193756319429014, rodas5p_a, rodas5p_c, rodas5p_alpha, rodas5p_d, rodas5p_m, rodas5p_e, rodas5p_h};
 
+/* RODAS3: order 3(2), L-stable, three evaluations, for limited.c. Sandu, Verwer, Blom, Spee, Carmichael and Potra,
+ * Benchmarking stiff ODE solvers for atmospheric chemistry problems II: Rosenbrock solvers, Atmos. Environ. 31 (1997). */
+static const double rodas3_a[16] = {0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0};
+static const double rodas3_c[16] = {0, 0, 0, 0, 4, 0, 0, 0, 1, -1, 0, 0, 1, -1, -8.0 / 3.0, 0};
+static const double rodas3_alpha[4] = {0, 0, 1, 1};
+static const double rodas3_d[4] = {0.5, 1.5, 0, 0};
+static const double rodas3_m[4] = {2, 0, 1, 1};
+static const double rodas3_e[4] = {0, 0, 0, 1};
+const ac_rosenbrock ac_rodas3 = {4, 3, 0.5, rodas3_a, rodas3_c, rodas3_alpha, rodas3_d, rodas3_m, rodas3_e, NULL};
+
 /* Order 2, L-stable, one evaluation; it satisfies the conditions for order 2 of IV.7. With T = 1 / (1 - h J) its step is
  * linearly implicit Euler's k = h T f and what that lacks, damped twice: k - h/2 J T^2 k. A contact that closes within
  * a step is linearised where it is evaluated, and given back no more energy than it took: for that y |R(i y)| must

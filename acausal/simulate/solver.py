@@ -85,8 +85,8 @@ class Tolerances:
     """Relative tolerance, absolute tolerances of the states, step limits (0: none), simulated time.
 
     For solvers with dense output: `sample`, how often roots are looked at (s). For fixed steps: `step` (s),
-    counted from `start`, and whether crossings are to `locate` inside a step. Steps of variable length that only
-    `max_step` keeps short end at multiples of `step` after `start` (0: anywhere).
+    counted from `start`, and whether crossings are to `locate` inside a step. Steps of variable length that
+    only `max_step` keeps short end at multiples of `step` after `start` (0: anywhere).
     """
 
     rtol: float
