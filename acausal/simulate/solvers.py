@@ -57,7 +57,7 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
 
 
 def _regular(options: Options) -> float:
-    """The longest step where a whole number of them makes an output interval, for steps to end at rows; else 0."""
+    """The longest step where a whole number of them makes an output interval to end steps at; else 0."""
     if not options.max_step or options.times:
         return 0.0
     count = options.interval / options.max_step

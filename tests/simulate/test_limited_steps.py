@@ -1,4 +1,4 @@
-"""Steps that only `max_step` keeps short: of order 3, on the output grid, as accurate as the tolerance asks for."""
+"""Steps that only `max_step` keeps short: of order 3, on the output grid, as accurate as asked for."""
 
 from __future__ import annotations
 
