@@ -34,6 +34,7 @@ from acausal.sources import (
 from acausal.summary import summary_of
 from acausal.symbolic.balance import check_balance
 from acausal.symbolic.parameters import order_parameters
+from acausal.symbolic.user_lines import at_users_lines
 
 if (
     TYPE_CHECKING
@@ -373,5 +374,6 @@ def check_flat(flat: FlatModel) -> None:
 
     Raises `TypeProblem` and `BalanceProblem`.
     """
-    order_parameters(flat)
-    check_balance(flat, as_component=True)
+    with at_users_lines(flat):
+        order_parameters(flat)
+        check_balance(flat, as_component=True)

@@ -45,6 +45,7 @@ from acausal.lang.unit_check import check_units
 from acausal.lang.verify import verify
 from acausal.symbolic.expressions.text import plain_name, quoted_name
 from acausal.symbolic.parameter_cycles import without_cycles
+from acausal.symbolic.user_lines import at_users_lines
 
 if TYPE_CHECKING:
     from acausal.codegen.functions import Code
@@ -100,7 +101,8 @@ def compile_model(
             return Compilation(node, instance, flat, warnings=warnings, seconds=clock.seconds)
         from acausal.symbolic.causalise import causalise  # late: a check does not need it
 
-        causal = clock.run("causalise", lambda: causalise(flat, outputs))
+        with at_users_lines(flat):
+            causal = clock.run("causalise", lambda: causalise(flat, outputs))
         if stop_after == "causal":
             return Compilation(node, instance, flat, causal, warnings=warnings, seconds=clock.seconds)
         from acausal.codegen.functions import generate  # late: without code there is no need for CasADi

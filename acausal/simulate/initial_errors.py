@@ -11,8 +11,8 @@ from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import block_equations, leaf_name, number, some
 from acausal.symbolic.causal import InitialCondition, InitialConflict, Residual
-from acausal.symbolic.describe import condition_text, listed
-from acausal.symbolic.expressions.expr import sym, symbols
+from acausal.symbolic.describe import condition_text, equation_with_place, listed
+from acausal.symbolic.expressions.expr import TIME, symbols, unknown_leaves
 
 CHECK_TOLERANCE = 1e-6
 """Largest residual of a redundant initial equation, relative to the size of its terms."""
@@ -41,16 +41,20 @@ def _inconsistent(
     """One diagnostic for the condition that does not hold, one for each that it competes with."""
     slots, flat = code.initial.slots, check.equation.flat
     names = symbols([check.value])
-    found = some([f"{n} = {number(float(values[slots[sym(n)]]))}" for n in names if sym(n) in slots])
+    held = [leaf for leaf in unknown_leaves(check.value) if leaf in slots and leaf != TIME]
+    found = some([f"{leaf_name(leaf)} = {number(float(values[slots[leaf]]))}" for leaf in held])
     condition = conflict.condition if conflict is not None else InitialCondition(check.equation)
     others = conflict.others if conflict is not None else ()
     texts = listed([condition_text(other) for other in others])
-    why = "the equations alone determine this" if conflict is not None else "it is one condition too many"
+    why = "it is one condition too many"
+    if conflict is not None:
+        by = listed([equation_with_place(equation.flat) for equation in conflict.equations], 3)
+        why = f"the equations alone determine this: {by}" if by else "the equations alone determine this"
     if others:
         why = f"it is one condition too many beside {texts}"
     message = (
-        f"the initial values contradict {condition_text(condition)}, "
-        f"which is off by {number(off)}, with {found}: {why}"
+        f"in the initial system the values contradict {condition_text(condition)}, "
+        f"which is off by {number(off)}{f', with {found}' if found else ''}: {why}"
     )
     hint = _way_out([condition, *others])
     yield Diagnostic("initialize.inconsistent", message, flat.span, names, hint)

@@ -20,6 +20,7 @@ from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name, some
 from acausal.simulate.overrides import Override, parameter_overrides, parameter_values, start_values
+from acausal.simulate.suspects import naming_suspects
 from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.causal import Block
 from acausal.symbolic.describe import base_name
@@ -71,6 +72,12 @@ def initialize(
     bound = bind_inputs(code, p, inputs or {}, time, time if until is None else until)
     problem = _Problem(code, time, p, bound, start_values(code, p, start or {}))
     changes = _Changes(parameters or {}, start or {})
+    with naming_suspects(code, p):
+        return _point(problem, changes, given, override)
+
+
+def _point(problem: _Problem, changes: _Changes, given: Vector, override: Vector) -> InitialPoint:
+    code, time, bound = problem.code, problem.time, problem.inputs
     walked, switched, notes = _solved(problem, lambda error: _by_homotopy(problem, changes, error))
     known = dict(zip(code.initial.slots, walked.values.tolist(), strict=True))
     for i, name in enumerate(code.system.parameters):

@@ -23,6 +23,7 @@ from acausal.simulate.solver import Solver
 from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 from acausal.simulate.standing import Standing
 from acausal.simulate.stream import Store, Stream, read_end
+from acausal.simulate.suspects import naming_suspects
 
 After: TypeAlias = "Standing | Result | str | Path"
 """What a run can go on from: another run, or the file of its result."""
@@ -169,7 +170,8 @@ def integrate(
     made = solver if moves else None
     watched = observe if stream is not None or progress is not None else None
     try:
-        return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
+        with naming_suspects(code, evaluator.p):
+            return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
     finally:
         if stream is not None:
             stream.abandon()

@@ -12,7 +12,7 @@ import numpy as np
 
 from acausal.codegen.program import ExplicitCode, Program, implicit_code
 from acausal.codegen.segments import Segment
-from acausal.errors import AcausalError, fail
+from acausal.errors import AcausalError, InitializationProblem, fail
 from acausal.simulate.block_solvers import Walk, singular, solve_block
 from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
@@ -78,10 +78,12 @@ def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], h
     inputs = [leaf for leaf in unknown_leaves(assignment.value) if leaf in slots]
     given = values_text([(leaf, float(values[slots[leaf]])) for leaf in inputs])
     what = "not a number" if np.isnan(value) else "infinite"
+    system = "initial" if how.kind is InitializationProblem else "running"
     return fail(
         how.kind,
         "simulate.not-finite",
-        f"{leaf_name(unknown)} is {what} {at(how.time)}, computed from `{shown(equation)}`",
+        f"{leaf_name(unknown)} is {what} {at(how.time)} in the {system} system, "
+        f"computed from `{shown(equation)}`",
         equation.flat.span,
         names=[leaf_name(unknown), *map(leaf_name, inputs)],
         hint=f"with {given}" if given else "",

@@ -157,20 +157,27 @@ def _names(equation: Equation) -> tuple[str, ...]:
     return tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right])))
 
 
-_NO_SLOPE = "prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...)"
+_NO_SLOPE = (
+    "prescribe it by something differentiable (a ramp without jump), or write it as smooth(n, ...), "
+    "or put something that gives way behind it (a resistance, spring or orifice)"
+)
 _NO_SLOPE_OF_INPUT = (
     "an input has no derivative here: prescribe this by a differentiable source inside the model, "
     "or let the input act through something that stores (a filter, an inertia, a volume)"
 )
 
 
-def not_differentiable(problem: NotDifferentiable, equation: Equation) -> ReductionProblem:
-    """The typed error for an equation that had to be differentiated."""
+def not_differentiable(
+    problem: NotDifferentiable, equation: Equation, needed: Sequence[str] = ()
+) -> ReductionProblem:
+    """The typed error for an equation that had to be differentiated, for the derivatives `needed`."""
     what = short_text(problem.expr)
+    why = f", since it prescribes {quoted(needed)}, differentiated elsewhere," if needed else ""
     error = fail(
         ReductionProblem,
         "reduction.not-differentiable",
-        f"the equation `{shown(equation)}` must be differentiated, but `{what}` cannot be: {problem.reason}",
+        f"in the running system the equation `{shown(equation)}` must be differentiated{why}, "
+        f"but `{what}` cannot be: {problem.reason}",
         equation.span,
         names=tuple(dict.fromkeys(base_name(leaf) for leaf in all_leaves([equation.left, equation.right]))),
         hint=_NO_SLOPE_OF_INPUT if problem.reason == INPUT else _NO_SLOPE,

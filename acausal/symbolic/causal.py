@@ -198,6 +198,8 @@ class InitialConflict:
 
     condition: InitialCondition
     others: tuple[InitialCondition, ...]
+    equations: tuple[CausalEquation, ...] = ()
+    """The first of the model's equations through which they compete."""
 
 
 @dataclass(frozen=True, slots=True)

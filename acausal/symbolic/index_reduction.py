@@ -73,7 +73,7 @@ def _reduce(model: Simplified, wanted: Iterable[str]) -> Reduced:
     incidence = [[index[leaf] for leaf in row] for row in rows]
     reduction = _pantelides(model, incidence, derivative_of)
     _name_new(leaves, reduction, chains)
-    equations = _differentiated(model, chains, reduction)
+    equations = _differentiated(model, chains, reduction, len(derivative_of))
     return _differentiated_for_good(Reduced(model, chains, tuple(leaves), equations, reduction))
 
 
@@ -156,7 +156,30 @@ def _name_new(leaves: list[Expr], reduction: Reduction, chains: Chains) -> None:
         leaves.append(der(lower) if slope is None or slope is ZERO else slope)
 
 
-def _differentiated(model: Simplified, chains: Chains, reduction: Reduction) -> tuple[CausalEquation, ...]:
+def _tied(reduction: Reduction, eq: int, model: Simplified, given: int) -> list[str]:
+    """The variables whose derivatives the model uses, tied to equation `eq` by what is differentiated.
+
+    Variables from number `given` on came with the reduction.
+    """
+    held: dict[Var, list[Eq]] = {}
+    for other, higher in enumerate(reduction.equation_derivative):
+        for var in reduction.incidence[other] if higher is not None else ():
+            held.setdefault(var, []).append(Eq(other))
+    equations, variables, stack = {Eq(eq): None}, dict[Var, None](), [Eq(eq)]
+    while stack:
+        for var in reduction.incidence[stack.pop()]:
+            if var not in variables:
+                variables[var] = None
+                new = [other for other in held[var] if other not in equations]
+                equations.update(dict.fromkeys(new))
+                stack += new
+    slopes = {var: reduction.derivative_of[var] for var in sorted(variables) if var < len(model.unknowns)}
+    return [model.unknowns[v].name for v, slope in slopes.items() if slope is not None and slope < given]
+
+
+def _differentiated(
+    model: Simplified, chains: Chains, reduction: Reduction, given: int
+) -> tuple[CausalEquation, ...]:
     """The equations, and the derivatives of those that `reduction` differentiates, in its order."""
     equations = list(model.equations)
     derive = TimeDerivative(chains.derivative, model.values.lookup)
@@ -166,6 +189,7 @@ def _differentiated(model: Simplified, chains: Chains, reduction: Reduction) -> 
         try:
             left, right = derive(base.left), derive(base.right)
         except NotDifferentiable as problem:
-            raise not_differentiable(problem, base.flat) from None
+            needed = _tied(reduction, source[Eq(i)], model, given)
+            raise not_differentiable(problem, base.flat, needed) from None
         equations.append(CausalEquation(left, right, base.flat, base.differentiations + 1))
     return tuple(equations)

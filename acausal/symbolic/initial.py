@@ -132,12 +132,15 @@ def _state_start(variable: Variable, reduced: Reduced) -> _Start:
 
 MOST_EXPLAINED = 100
 """Surplus conditions whose competitors are looked for; each costs one search."""
+MOST_GIVEN = 10
+"""Equations of the model that a surplus condition keeps as its reason."""
 
 
 class _Conditions:
     """Which conditions the unknowns have room for: a matching that grows."""
 
     def __init__(self, given: Sequence[CausalEquation], unknowns: Sequence[Expr], profiler: Profiler) -> None:
+        self.given = tuple(given)
         self.used = list(given)
         self.taken: list[InitialCondition] = []
         self.surplus: list[InitialCondition] = []
@@ -177,7 +180,15 @@ class _Conditions:
         for condition in self.surplus[:MOST_EXPLAINED]:
             part = overdetermined_subset(self._matcher.rows, matching, numbers[id(condition)])
             others = [self._of[eq] for eq in part.equations if eq in self._of]
-            found.append(InitialConflict(condition, tuple(o for o in others if o is not condition)))
+            given = [eq for eq in part.equations if eq not in self._of]
+            given.sort(key=lambda eq: len(self._matcher.rows[eq]))  # what prescribes one quantity first
+            found.append(
+                InitialConflict(
+                    condition,
+                    tuple(o for o in others if o is not condition),
+                    tuple(self.given[eq] for eq in given[:MOST_GIVEN]),
+                )
+            )
         return tuple(found)
 
 

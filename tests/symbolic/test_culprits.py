@@ -37,9 +37,11 @@ TEXT = """package Wrong
   end NoSignal;
   model NoValue
     S.Torque motor(tau_start = 5);
+    C.Inertia body(J = 1);
     C.SpringDamper shaft;
   equation
-    connect(motor.flange, shaft.flange_a);
+    connect(motor.flange, body.flange_a);
+    connect(body.flange_b, shaft.flange_a);
   end NoValue;
   model FixedTwice
     C.Inertia a(J = 1, w(start = 10, fixed = true));
@@ -49,6 +51,31 @@ TEXT = """package Wrong
     connect(a.flange_b, gear.flange_a);
     connect(gear.flange_b, b.flange_a);
   end FixedTwice;
+  model NoInertia
+    S.Torque motor(tau_start = 5);
+    parameter Real J = 0;
+    C.Inertia body(J = 2*J);
+  equation
+    connect(motor.flange, body.flange_a);
+  end NoInertia;
+  model LooseOrifice
+    Hydraulics.Sources.FlowSource pump(q_start = 1e-4);
+    Hydraulics.Components.Orifice orifice(d = 1e-3);
+  equation
+    connect(pump.port, orifice.port_a);
+  end LooseOrifice;
+  model Jump
+    S.SpeedSignal source(w = if time < 0.5 then 0 else 1);
+    C.Inertia body(J = 1);
+  equation
+    connect(source.flange, body.flange_a);
+  end Jump;
+  model FixedAndDriven
+    S.Speed source(w_start = 10);
+    C.Inertia body(J = 1, w(fixed = true));
+  equation
+    connect(source.flange, body.flange_a);
+  end FixedAndDriven;
 end Wrong;"""
 
 EXPECTED = {
@@ -59,6 +86,10 @@ EXPECTED = {
     "NoSignal": ("S.SpeedSignal source", "the input `source.w` has no value", "connect `source.w`"),
     "NoValue": ("C.SpringDamper shaft", "`shaft.c` and `shaft.d` have no value", "shaft.c = ..."),
     "FixedTwice": ("C.Inertia b", "the start value `b.w` = 3", "`b.w`, `a.w`"),
+    "NoInertia": ("C.Inertia body(J = 2*J)", "`body.J * body.a = motor.tau`", "`J` is zero"),
+    "LooseOrifice": ("Orifice orifice", "in the initial system", "connect `orifice.port_b`"),
+    "Jump": ("w = if", "since it prescribes `body.w`", "something that gives way"),
+    "FixedAndDriven": ("C.Inertia body", "Speed.mo:11 in source", "remove `fixed = true` from `body.w`"),
 }  # fmt: skip
 
 
@@ -73,6 +104,14 @@ def test_the_line_is_the_users_own(name: str) -> None:
     assert line in TEXT.splitlines()[first.span.line - 1]
     assert says in first.message
     assert hint in first.hint
+
+
+def test_what_is_zero_has_a_place_of_its_own() -> None:
+    with pytest.raises(AcausalError) as caught:
+        acausal.loads(TEXT, "Wrong.NoInertia").compile().simulate()
+    zero = next(d for d in caught.value.diagnostics if d.names == ("J",))
+    assert zero.span is not None
+    assert "parameter Real J = 0" in TEXT.splitlines()[zero.span.line - 1]
 
 
 def test_other_places_follow_likeliest_first() -> None:

@@ -1,0 +1,136 @@
+"""Why equations that could not be solved may be singular: values that are zero, connectors that are loose."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterable, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+
+from acausal.codegen.functions import Code
+from acausal.errors import AcausalError, Diagnostic
+from acausal.lang.flat import Origin, Variable
+from acausal.simulate.matrices import Vector
+from acausal.simulate.messages import block_equations, leaf_name
+from acausal.symbolic.causal import CausalEquation, CausalSystem
+from acausal.symbolic.describe import place, quoted
+from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
+from acausal.symbolic.expressions.expr import Expr, postorder, symbols
+from acausal.symbolic.parameters import definition
+from acausal.symbolic.user_lines import at_users_lines
+
+_ABOUT = ("simulate.singular-block", "simulate.no-solution", "simulate.not-finite")
+_MOST = 3
+"""How many suspects are named."""
+
+
+@contextmanager
+def naming_suspects(code: Code, p: Vector) -> Generator[None, None, None]:
+    """Errors of equations inside it also name what in the model may be the reason, where the user gives it.
+
+    `p` are the values of the parameters.
+    """
+    system = code.system
+    with at_users_lines(system.flat, system.equations):
+        try:
+            yield
+        except AcausalError as error:
+            first, *rest = error.diagnostics
+            if first.code not in _ABOUT:
+                raise
+            values = dict(zip(system.parameters, p.tolist(), strict=True))
+            reasons = list(_reasons(system, values, error.diagnostics))[:_MOST]
+            if not reasons:
+                raise
+            hint = "; ".join([*(reason.hint for reason in reasons), *([first.hint] if first.hint else [])])
+            raise type(error)([replace(first, hint=hint), *reasons, *rest]) from error.__cause__
+
+
+def _reasons(
+    system: CausalSystem, values: Mapping[str, float], diagnostics: Iterable[Diagnostic]
+) -> Generator[Diagnostic, None, None]:
+    code = next(iter(diagnostics)).code
+    equations = _equations(system, diagnostics)
+    zeros = dict.fromkeys(name for e in equations for name in _zeros(e, values))
+    for variable in _given(system, zeros, values):
+        where = variable.value_span or variable.span
+        text = f"`{variable.name}` is zero ({place(where)}), and what it multiplies or divides decides here"
+        yield Diagnostic(
+            code, text, where, (variable.name,), f"`{variable.name}` is zero: give it another value"
+        )
+    flat = system.flat
+    zero_flows = {e.left.name: e for e in flat.equations if e.origin is Origin.UNCONNECTED}
+    held = [name for e in equations for name in symbols([e.flat.left, e.flat.right])]
+    loose = dict.fromkeys(name for name in held if name in zero_flows)
+    if not loose and not zeros:
+        owners = {e.flat.component for e in equations} - {""}
+        loose = dict.fromkeys(name for name in zero_flows if flat.places.owner(name) in owners)
+    for name in loose:
+        end = name.rpartition(".")[0]
+        where = flat.places.components.get(flat.places.owner(name), zero_flows[name].span)
+        text = f"`{end}` is not connected ({place(where)}), so that `{name}` is zero"
+        yield Diagnostic(
+            code, text, where, (name,), f"connect {quoted([end])}, which is connected to nothing"
+        )
+
+
+def _equations(system: CausalSystem, diagnostics: Iterable[Diagnostic]) -> list[CausalEquation]:
+    """Those of the block that the first diagnostic is about, and those that the others show."""
+    unknowns = frozenset(next(iter(diagnostics)).names)
+    blocks = [
+        block
+        for block in (*system.initial.blocks, *system.blocks)
+        if unknowns.issuperset(map(leaf_name, block.unknowns))
+    ]
+    found = [equation for block in blocks for equation in block_equations(block)]
+    named = {name.removeprefix("der(").rstrip(")") for d in diagnostics for name in d.names}
+    spans = {(d.span.file, d.span.start) for d in diagnostics if d.span is not None}
+    return found + [
+        equation
+        for equation in system.equations
+        if (equation.flat.span.file, equation.flat.span.start) in spans
+        and not named.isdisjoint(symbols([equation.left, equation.right]))
+    ]
+
+
+def _zeros(equation: CausalEquation, values: Mapping[str, float]) -> Generator[str, None, None]:
+    """Parameters that make a factor of something unknown, or what something is divided by, zero."""
+    known: dict[Expr, bool] = {}
+    for node in postorder([equation.left, equation.right]):
+        known[node] = node.op == "const" or (
+            node.name in values if node.op == "sym" else bool(node.args) and all(known[a] for a in node.args)
+        )
+        if node.op == "mul" and not known[node]:
+            factors = [arg for arg in node.args if known[arg]]
+        elif node.op == "div":
+            factors = [arg for arg in node.args if known[arg]] if not known[node] else [node.args[1]]
+        else:
+            continue
+        for factor in factors:
+            if known[factor] and _value(factor, values) == 0:
+                yield from symbols([factor])
+
+
+def _value(expr: Expr, values: Mapping[str, float]) -> float | None:
+    try:
+        found = evaluate(expr, values.get)
+    except (NotConstant, EvaluationFailed):
+        return None
+    return float(found) if isinstance(found, int | float) else None
+
+
+def _given(system: CausalSystem, names: Iterable[str], values: Mapping[str, float]) -> Iterable[Variable]:
+    """The parameters that are zero, those whose values follow from other zeros replaced by these."""
+    by_name = system.flat.by_name
+    found: dict[str, Variable] = {}
+    stack = [name for name in names if values.get(name) == 0][::-1]
+    seen = set(stack)
+    while stack:
+        variable = by_name[stack.pop()]
+        value = definition(variable)
+        deeper = [] if value is None else [n for n in symbols([value]) if values.get(n) == 0]
+        if deeper:
+            stack += [name for name in deeper if name not in seen]
+            seen.update(deeper)
+        else:
+            found[variable.name] = variable
+    return found.values()
