@@ -26,6 +26,7 @@ from acausal.symbolic.discrete import divide
 from acausal.symbolic.discrete_initial import DiscreteStart
 from acausal.symbolic.expressions.expr import der, sym
 from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.hidden_constraints import reveal_constraints
 from acausal.symbolic.hybrid import Hybrid, hybrid_part
 from acausal.symbolic.index_reduction import Reduced, reduce_index
 from acausal.symbolic.initial import initial_problem
@@ -53,7 +54,7 @@ def causalise(
     lowered = lower(flat)
     model = eliminate_aliases(lowered.flat, parameter_values(lowered.flat, unevaluated))
     divided = divide(model, Profiler(model.values, model.flat.by_name))
-    reduced = reduce_index(divided.continuous)
+    reduced = reduce_index(reveal_constraints(divided.continuous))
     hybrid = hybrid_part(reduced, divided, lowered)
     selected = select_states(reduced, starting_point(reduced))
     system = _assembled(reduced, selected, hybrid, with_initial=True)
