@@ -53,10 +53,10 @@ static int roots_at(ac_solver *s, double t, double *g)
 {
     ac_interpolate(s, t, s->stage);
     int code = ac_roots(s->model, t, s->stage, g);
-    if (code == 0 && !all_finite(s, g)) {
-        code = AC_NOT_FINITE;
+    for (int i = 0; code != 0 && i < s->model->crossings; i++) {
+        g[i] = NAN;
     }
-    return code;
+    return code == 0 && !all_finite(s, g) ? AC_NOT_FINITE : code;
 }
 
 /* Where the first of the roots that differ in sign between a and b would be zero on straight lines. */
@@ -73,8 +73,9 @@ static double secant(const ac_solver *s, double a, double b, const double *ga, c
     return a + share * (b - a);
 }
 
-/* Narrows [a, b], at whose end something has crossed (roots `ga`, `gb`), to rounding: the end is the event.
- * Secants and halvings take turns, so that the number of steps is bounded. */
+/* Narrows [a, b], at whose end something has crossed or is no number (roots `ga`, `gb`), to rounding: the end is
+ * the event. Secants and halvings take turns, so that the number of steps is bounded. Where nothing crosses before
+ * it is no number, the last good point is left, and the error. */
 static int located(ac_solver *s, double a, double b, double *ga, double *gb)
 {
     int m = s->model->crossings;
@@ -90,10 +91,10 @@ static int located(ac_solver *s, double a, double b, double *ga, double *gb)
             break;
         }
         int code = roots_at(s, t, s->g_mid);
-        if (code != 0) {
+        if (code != 0 && code != AC_NOT_FINITE) {
             return code;
         }
-        if (crossed(s, s->g_mid)) {
+        if (code != 0 || crossed(s, s->g_mid)) {
             b = t;
             memcpy(gb, s->g_mid, bytes);
         } else {
@@ -102,8 +103,15 @@ static int located(ac_solver *s, double a, double b, double *ga, double *gb)
             arm(s, s->g_mid);
         }
     }
+    int count = 0;
     for (int i = 0; i < m; i++) {
         s->crossed[i] = value(s, i, gb) < 0.0 ? (s->side[i] < 0.0 ? 1 : -1) : 0;
+        count += s->crossed[i] != 0;
+    }
+    if (count == 0) {
+        (void)roots_at(s, b, gb); /* where it is seen why */
+        s->t = a;
+        return AC_NOT_FINITE;
     }
     s->t = b;
     return AC_EVENT;
@@ -138,20 +146,20 @@ static int looked(ac_solver *s, int points)
         double a = s->t0 + (j - 1) * width;
         double t = j == points ? s->t1 : s->t0 + j * width;
         int code = roots_at(s, t, s->g_new);
-        if (code != 0) {
+        if (code != 0 && code != AC_NOT_FINITE) {
             return code;
         }
-        if (crossed(s, s->g_new)) {
+        if (code != 0 || crossed(s, s->g_new)) {
             return located(s, a, t, s->g_old, s->g_new);
         }
         if (j > 1) {
             double middle = dip(s, a, width, s->g_try, s->g_old, s->g_new);
             if (middle != 0.0) {
                 code = roots_at(s, middle, s->g_mid);
-                if (code != 0) {
+                if (code != 0 && code != AC_NOT_FINITE) {
                     return code;
                 }
-                if (crossed(s, s->g_mid)) {
+                if (code != 0 || crossed(s, s->g_mid)) {
                     int early = middle < a;
                     memcpy(s->g_new, s->g_mid, bytes);
                     return located(s, early ? a - width : a, middle, early ? s->g_try : s->g_old, s->g_new);

@@ -231,6 +231,27 @@ int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *f
     return 0;
 }
 
+/* The rows before the point that a step stumbled over, at which the model is left. */
+static int finally(ac_solver *s, int code, const double *grid, int count, double *rows, int *filled)
+{
+    ac_model *m = s->model;
+    double t = m->t[0];
+    if (code != AC_NOT_FINITE || !s->have_step || !(s->t0 < s->t)) {
+        return code;
+    }
+    size_t bytes = (size_t)m->states * sizeof(double);
+    if (m->states > 0) {
+        memcpy(s->error, m->x, bytes);
+    }
+    (void)ac_written(s, grid, count, rows, filled);
+    m->settled = 0;
+    m->t[0] = t;
+    if (m->states > 0) {
+        memcpy(m->x, s->error, bytes);
+    }
+    return code;
+}
+
 int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled)
 {
     int event = 0;
@@ -257,7 +278,7 @@ int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long 
         }
         code = moved(s, until);
         if (code != 0 && code != AC_EVENT) {
-            return code;
+            return finally(s, code, grid, count, rows, filled);
         }
         event = code == AC_EVENT;
     }

@@ -20,10 +20,9 @@ import numpy as np
 from scipy.sparse import csc_matrix
 from sksundae.cvode import CVODE, CVODEResult
 
-from acausal.errors import SimulationProblem, fail
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, some
+from acausal.simulate.failures import culprit, stopped
+from acausal.simulate.matrices import Vector, is_finite
 from acausal.simulate.solver import BATCH, SLOW_BATCHES, Arrival, Tolerances, Work
 
 SPARSE_FROM = 50
@@ -154,7 +153,7 @@ class Cvode:
         evaluator.at(t, y)
         evaluator.solve()
         slope = evaluator.xdot
-        if not slope.dot(slope) < np.inf and np.isfinite(y).all():
+        if not is_finite(slope) and np.isfinite(y).all():
             self._broken = t, y.copy()
         yp[:] = slope
 
@@ -219,7 +218,7 @@ class Cvode:
                 self._time = time
                 continue
             self._time = time
-            self._slow = 0
+            self._slow, self._broken = 0, None
             if found.status == 2 and found.i_events is not None and self._roots is not None:
                 crossed = np.zeros(self._evaluator.m.size, dtype=np.int_)
                 crossed[self._evaluator.located] = found.i_events[-1]
@@ -241,25 +240,11 @@ class Cvode:
         time = float(found.t)
         if self._broken is not None and status not in (_TOO_MUCH_WORK, _COLLAPSED):
             evaluator.at(*self._broken)
-            if not evaluator.evaluate():
-                evaluator.explain()
+            culprit(evaluator)
         code, cause = _CAUSES.get(status, ("simulate.solver", found.message))
-        names = self._dominant(time, found.y[: evaluator.x.size])
-        what = f"{self.name} stopped {at(time)}: {cause}"
-        return fail(
-            SimulationProblem,
-            code,
-            f"{what}; states that change most for their tolerance: {some(names)}",
-            names=names,
-            hint="look for a discontinuity that is no event, a wrong nominal value, or a solution that ends",
-        )
+        self._take_guess(found.y)
+        x = np.array(found.y[: evaluator.x.size])
+        return stopped(evaluator, self._tolerances, self.name, code, cause, time, x)
 
-    def _dominant(self, time: float, x: Vector) -> list[str]:
-        """The states with the largest derivative in units of their tolerance, largest first."""
-        evaluator = self._evaluator
-        evaluator.at(time, x)
-        evaluator.evaluate()
-        limits = self._tolerances
-        weighted = np.abs(evaluator.xdot) / (limits.rtol * np.abs(x) + limits.atol)
-        order = np.argsort(-np.nan_to_num(weighted, nan=np.inf), kind="stable")[:3]
-        return [evaluator.code.system.states[i] for i in order]
+    def _take_guess(self, y: Vector) -> None:
+        """Where blocks were solved last; the evaluator knows."""

@@ -167,6 +167,12 @@ class Evaluator:
         self.at(time, x)
         return later
 
+    def is_zero(self, roots: Vector, band: float) -> NDArray[np.bool_]:
+        """Which located roots are smaller than `band`, relative to the largest sides met so far."""
+        result = np.zeros(len(roots), dtype=np.bool_)
+        result[self.located] = np.abs(roots[self.located]) <= band * self._sizes
+        return result
+
     def within(self, roots: Vector) -> NDArray[np.bool_]:
         """Which roots are too close to zero to say that a relation lost its mode.
 
@@ -187,22 +193,31 @@ class Evaluator:
         """Derivatives and solved blocks at the present point, unless they are known already."""
         if not self.guess.size:
             self.ode()
-        elif self._solved != self._point():
-            self.evaluate()
+        elif self._solved != self._point() and not self.evaluate():
+            self._rescue()
+
+    def _rescue(self) -> None:
+        """Where plain Newton iterations find no solution of a block, others may: as in the run-time in C."""
+        if np.isfinite(self.z).all():
+            return  # it is not the blocks
+        found = [self.xdot, self.z]
+        if self.walk_into(found, float(self.t[0]), self.x):
+            self.guess[:] = self.z
 
     def _point(self) -> tuple[float, bytes, bytes, bytes]:
         return float(self.t[0]), self.x.tobytes(), self.m.tobytes(), self.d.tobytes()
 
     def evaluate(self) -> bool:
-        """Derivatives into `xdot`, solutions of blocks into `z`; False where a derivative is not finite.
+        """Derivatives into `xdot`, solutions of blocks into `z`; False where one of them is not finite.
 
         What Newton's method found is its next guess.
         """
         fine = self.ode()
         if self.guess.size:
             self._solved = self._point()
-            if np.isfinite(self.z).all():
-                self.guess[:] = self.z
+            if not np.isfinite(self.z).all():
+                return False
+            self.guess[:] = self.z
         return fine and bool(np.isfinite(self.xdot).all())
 
     def settle(self) -> None:
@@ -210,11 +225,11 @@ class Evaluator:
 
         Raises `SimulationProblem` naming the block or equation that cannot be computed.
         """
-        if not (self.evaluate() and bool(np.isfinite(self.z).all())):
+        if not self.evaluate():
             values = self._explained()
             slots = self.code.dynamic.slots
             self.guess[:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
-            if not (self.evaluate() and bool(np.isfinite(self.z).all())):
+            if not self.evaluate():
                 self.z[:] = self.guess
                 self.xdot[:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
         self._settled[:] = self.z

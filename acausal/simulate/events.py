@@ -17,16 +17,22 @@ from numpy.typing import NDArray
 from acausal.errors import Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, crossing_text, leaf_name, some
+from acausal.simulate.messages import at, crossing_text, leaf_name, some, span_of
+from acausal.simulate.texts import point_text
 from acausal.symbolic.causal import CausalSystem
 from acausal.symbolic.expressions.expr import symbols
+from acausal.symbolic.expressions.text import to_text
 
 BAND = 1e-9
 """Relative to both sides' sizes: closer to zero than this, a root counts as zero."""
 _NOISE = 1e-14
+_CLEAR = 1e-15
 ZENO_EVENTS = 100
 ZENO_SHARE = 1e-6
 """This many events within this share of the simulated time are an accumulation."""
+SHRINKING = 24
+RESOLVED = 1e-8
+"""So are this many whose distances shrink, in the end below this share of a second or of a shorter run."""
 
 
 def literal_modes(ops: tuple[str, ...], roots: Vector) -> Vector:
@@ -53,6 +59,24 @@ def crossed_modes(ops: tuple[str, ...], modes: Vector, crossed: NDArray[np.int_]
     return np.where(crossed != 0, beyond, modes)
 
 
+def against(evaluator: Evaluator, crossed: NDArray[np.int_], ahead: float) -> NDArray[np.bool_]:
+    """Which crossings go against the way that their root goes here: artefacts of a step below the tolerance.
+
+    So a ball that has just been thrown up is seen to fall, where one step covers its whole flight.
+    """
+    evaluator.event()
+    roots = evaluator.roots.copy()
+    near = (crossed != 0) & evaluator.is_zero(roots, BAND)
+    if not near.any():
+        return near
+    time, x = float(evaluator.t[0]), evaluator.x.copy()
+    evaluator.at(time + ahead, x + ahead * evaluator.xdot)
+    evaluator.event()
+    change = evaluator.roots - roots
+    evaluator.at(time, x)
+    return near & (np.sign(change) == -crossed) & ~evaluator.is_zero(change, _CLEAR)
+
+
 @dataclass(frozen=True)
 class Instant:
     """A point in time: `crossed` marks the roots located there, `roots` are those found then."""
@@ -69,6 +93,8 @@ class Instant:
     """Crossed relations keep the value that the crossing gave them, whatever the values are now."""
     met: NDArray[np.bool_] | None = None
     """Which roots were zero in a mode that was tried before at this instant."""
+    released: NDArray[np.bool_] | None = None
+    """Except those that watch an `integer(...)`, which are about another number once that has changed."""
 
 
 def wanted_modes(
@@ -90,6 +116,8 @@ def wanted_modes(
     wanted = literal_modes(ops, roots)
     located = instant.crossed & (np.abs(roots - instant.roots) <= BAND * sizes)
     kept = instant.crossed & instant.anchored
+    if instant.released is not None:
+        kept = kept & ~instant.released
     wanted = np.where(kept, evaluator.m, wanted)
     near = (located | (np.abs(roots) <= BAND * sizes) | evaluator.within(roots)) & ~kept
     looked = near if instant.met is None else (near | instant.met) & ~kept
@@ -105,6 +133,15 @@ def wanted_modes(
     return np.where(still, evaluator.m, wanted), near
 
 
+def check_conditions(evaluator: Evaluator, time: float) -> None:
+    """Raises `SimulationProblem` where a located condition has no side at the evaluator's point."""
+    if evaluator.located.size:
+        evaluator.event()
+        roots = np.zeros(evaluator.m.size)
+        roots[evaluator.located] = evaluator.roots[evaluator.located]
+        _check(evaluator, roots, time)
+
+
 def _check(evaluator: Evaluator, roots: Vector, time: float) -> None:
     """A condition that is not a number has no side."""
     if np.isfinite(roots).all():
@@ -112,9 +149,10 @@ def _check(evaluator: Evaluator, roots: Vector, time: float) -> None:
     evaluator.explain()
     crossing = evaluator.code.system.zero_crossings[int(np.flatnonzero(~np.isfinite(roots))[0])]
     message = f"the condition {crossing_text(crossing)} cannot be decided {at(time)}: a side is not a number"
-    raise SimulationProblem(
-        Diagnostic("simulate.not-finite", message, crossing.span, symbols([crossing.relation]))
-    )
+    names = symbols([crossing.relation])
+    values = point_text(evaluator, names)
+    hint = f"with {values}" if values else ""
+    raise SimulationProblem(Diagnostic("simulate.not-finite", message, crossing.span, names, hint))
 
 
 @dataclass
@@ -133,21 +171,43 @@ class EventGuard:
         """
         self.count += happened
         self._recent.append((time, changed))
-        if len(self._recent) < ZENO_EVENTS or time - self._recent[0][0] > ZENO_SHARE * self.span:
-            return
+        dense = len(self._recent) == ZENO_EVENTS and time - self._recent[0][0] <= ZENO_SHARE * self.span
+        if dense or self._shrinks():
+            raise self._accumulation(time)
+
+    def _shrinks(self) -> bool:
+        """Whether the time between stops goes to zero like a geometric series, and has all but got there."""
+        if len(self._recent) < SHRINKING:
+            return False
+        times = np.array([self._recent[i][0] for i in range(-SHRINKING, 0)])
+        pairs = times[2:] - times[:-2]
+        if not pairs[-1] <= min(RESOLVED * min(self.span, 1.0), 1e-2 * pairs[0]):
+            return False
+        return bool((pairs[1:] <= pairs[:-1]).all())
+
+    def _accumulation(self, time: float) -> SimulationProblem:
         involved = np.any(np.array([c for _, c in self._recent]), axis=0)
         own = self.system.events
         crossings = [c for c, on in zip(own, involved, strict=False) if on]
         variables = [
             a for a, on in zip(self.system.discrete.assignments, involved[len(own) :], strict=True) if on
         ]
+        samples = self.system.discrete.samples
         what = "the conditions " + some([crossing_text(crossing) for crossing in crossings])
-        if not crossings:
-            what = "changes of " + some([leaf_name(a.unknown) for a in variables])
-        first = self._recent[0][0]
-        message = f"events accumulate {at(time)}: {ZENO_EVENTS} within {time - first:.3g} s, all by {what}"
         hint = "the time between events shrinks to zero (Zeno): add a hysteresis, a dwell time or damping"
+        if not crossings and variables:
+            what = "changes of " + some([leaf_name(a.unknown) for a in variables])
+        elif not crossings and samples:
+            what = some([f"`{to_text(node)}`" for node in samples])
+            hint = "the interval is too short beside the simulated time"
+        count, last = len(self._recent), self._recent[-1][0]
+        dense = f"{count} within {last - self._recent[0][0]:.3g} s"
+        if count < ZENO_EVENTS or last - self._recent[0][0] > ZENO_SHARE * self.span:
+            dense = f"the last of {count} are only {last - self._recent[-2][0]:.3g} s apart"
+        message = f"events accumulate {at(time)}: {dense}, all by {what}"
         names = symbols([*(c.relation for c in crossings), *(a.unknown for a in variables)])
         spans = [*(c.span for c in crossings), *(a.equation.flat.span for a in variables)]
-        span = spans[0] if spans else self.system.flat.span
-        raise SimulationProblem(Diagnostic("simulate.zeno", message, span, names, hint))
+        if not spans:
+            spans = [span_of(self.system, node) for node in samples] or [self.system.flat.span]
+            names = symbols(samples)
+        return SimulationProblem(Diagnostic("simulate.zeno", message, spans[0], names, hint))

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csc_matrix, identity
 from scipy.sparse.linalg import splu
 
-from acausal.errors import AcausalError, SimulationProblem, fail
+from acausal.errors import AcausalError
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import operators
+from acausal.simulate.failures import culprit, stopped
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, some
 from acausal.simulate.solver import Arrival, Tolerances, Work
 
 _SAME = 1e-9
@@ -170,7 +170,7 @@ class FixedStep:
         evaluator.at(time, x)
         self._rhs += 1
         if not evaluator.evaluate():
-            evaluator.explain()
+            culprit(evaluator)
             raise self._failure("simulate.not-finite", "a derivative is not a number")
         return evaluator.xdot.copy()
 
@@ -231,9 +231,9 @@ class FixedStep:
         return lambda right: np.asarray(factors.solve(right), dtype=np.float64)
 
     def _failure(self, code: str, cause: str) -> AcausalError:
-        names = list(self._evaluator.code.system.states[:3])
-        message = f"the integration stopped {at(self._time)}: {cause}; states: {some(names)}"
-        return fail(SimulationProblem, code, message, names=names, hint="shorten the step")
+        return stopped(
+            self._evaluator, self._limits, "the integration", code, cause, self._time, self._x.copy()
+        )
 
 
 def _sum(factors: tuple[float, ...], vectors: list[Vector]) -> Vector | float:

@@ -14,8 +14,9 @@ import numpy as np
 
 from acausal.errors import SimulationProblem, fail
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, number
+from acausal.simulate.messages import at, number, span_of
 from acausal.symbolic.causal import CausalSystem
+from acausal.symbolic.expressions.expr import symbols
 from acausal.symbolic.expressions.text import to_text
 
 _KEPT = 64
@@ -95,6 +96,8 @@ class History:
 
     def _bad(self, sample: Sample, i: int) -> Exception:
         lag, longest = float(sample.lags[i]), float(sample.longest[i])
-        message = f"the delay of `{to_text(self._system.delays[i])}` is {number(lag)} s {at(sample.time)}"
+        node = self._system.delays[i]
+        message = f"the delay of `{to_text(node)}` is {number(lag)} s {at(sample.time)}"
         hint = f"it must lie between 0 and its longest value, {number(longest)} s"
-        return fail(SimulationProblem, "simulate.delay", message, hint=hint)
+        span = span_of(self._system, node)
+        return fail(SimulationProblem, "simulate.delay", message, span, names=symbols([node]), hint=hint)

@@ -16,7 +16,7 @@ from acausal.codegen.implicit import implicit_form
 from acausal.simulate.buffered import Buffered
 from acausal.simulate.cvode import SPARSE_FROM, Cvode, Stepper
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.matrices import Vector
+from acausal.simulate.matrices import Vector, is_finite
 from acausal.simulate.solver import BATCH, Tolerances
 
 
@@ -115,9 +115,10 @@ class Ida(Cvode):
             return
         self._evaluate(t, y)
         values = self._form.outputs[0]
-        if not values.dot(values) < np.inf and np.isfinite(y).all():
+        if not is_finite(values) and np.isfinite(y).all():
             self._broken = t, np.array(y[:n])
-        residual[:n] = yp[:n] - values[:n]
+        with np.errstate(all="ignore"):
+            residual[:n] = yp[:n] - values[:n]
         residual[n:] = values[n:]
 
     def _values(self, t: float, y: Vector, cj: float) -> Vector:
@@ -144,3 +145,7 @@ class Ida(Cvode):
         y[:n], yp[:n] = x, evaluator.xdot
         y[n : n + self._z.size] = evaluator.z
         self._start_implicit(time, y, yp)
+
+    def _take_guess(self, y: Vector) -> None:
+        n = self._evaluator.x.size
+        self._evaluator.guess[:] = y[n : n + self._z.size]

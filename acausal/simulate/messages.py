@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from acausal.errors import AcausalError, Diagnostic, InitializationProblem, Span
-from acausal.symbolic.causal import Block, CausalEquation, ZeroCrossing
+from acausal.symbolic.causal import Block, BlockKind, CausalEquation, CausalSystem, ZeroCrossing
 from acausal.symbolic.describe import shown
-from acausal.symbolic.expressions.expr import Expr, symbols
+from acausal.symbolic.expressions.expr import Expr, postorder, symbols
 from acausal.symbolic.expressions.text import to_text
 
 _SHOWN = 8
@@ -75,3 +75,17 @@ def crossing_text(crossing: ZeroCrossing) -> str:
 def place(span: Span) -> str:
     """`file:line`."""
     return f"{span.file}:{span.line}"
+
+
+def span_of(system: CausalSystem, node: Expr) -> Span:
+    """Where the model says `node`: the first equation or action that holds it, else the model's own place."""
+    part = system.discrete
+    blocks = [*system.blocks, Block(BlockKind.EXPLICIT, part.assignments)]
+    held: list[tuple[tuple[Expr, ...], Span]] = []
+    for block in blocks:
+        held += [((a.value,), a.equation.flat.span) for a in block.assignments]
+        held += [((r.value,), r.equation.flat.span) for r in block.residuals]
+    held += [((reset.condition, reset.value), reset.span) for reset in part.resets]
+    held += [((check.condition,), check.assertion.span) for check in part.checks]
+    held += [((stop.condition,), stop.termination.span) for stop in part.stops]
+    return next((span for values, span in held if node in postorder(values)), system.flat.span)

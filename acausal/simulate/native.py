@@ -391,4 +391,4 @@ class NativeSolver:
         if status in (binding.NOT_FINITE, binding.SINGULAR):
             evaluator.at(float(self._arrays["t"][0]), self._arrays["x"])
         stopped = solver.t0, self._view(solver.x0, evaluator.x.size)
-        return failure(evaluator, self._limits, status, *stopped)
+        return failure(evaluator, self._limits, status, *stopped, fixed=solver.method != METHODS["rodas"])

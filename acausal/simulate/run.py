@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from acausal.errors import AcausalError
 from acausal.simulate.costs import Costs, StateCost
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.events import EventGuard, crossed_modes, operators
+from acausal.simulate.events import EventGuard, check_conditions, crossed_modes, operators
 from acausal.simulate.failures import advising
 from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
@@ -292,6 +292,8 @@ class _Loop:
         evaluator = self.evaluator
         evaluator.at(self._time, self._x)
         evaluator.event()
+        if not np.isfinite(evaluator.roots[evaluator.located]).all():
+            check_conditions(evaluator, self._time)
         evaluator.size()
         clear = (np.abs(evaluator.roots) > 1e-6 * evaluator.sizes) & ~evaluator.within(evaluator.roots)
         if not clear.any():

@@ -13,7 +13,8 @@ from acausal.errors import SimulationProblem, fail
 from acausal.simulate.call import call
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, number
+from acausal.simulate.messages import at, number, span_of
+from acausal.symbolic.expressions.expr import symbols
 from acausal.symbolic.expressions.text import to_text
 
 _ROUND = 64 * np.finfo(float).eps
@@ -25,8 +26,8 @@ class Schedule:
     def __init__(self, evaluator: Evaluator, start: float) -> None:
         code = evaluator.code
         starts, intervals = (v.ravel() for v in call(code.discrete.schedule, evaluator.p))
-        for i in np.flatnonzero(~((intervals > 0) & np.isfinite(starts))):
-            raise _bad_interval(evaluator, int(i), float(intervals[i]))
+        for i in np.flatnonzero(~((intervals > 0) & np.isfinite(intervals) & np.isfinite(starts))):
+            raise _bad_sample(evaluator, int(i), float(starts[i]), float(intervals[i]))
         self._starts, self._intervals = starts, intervals
         slack = _rounding(start)
         self._counts = np.maximum(np.ceil((start - starts - slack) / intervals), 0.0)
@@ -73,7 +74,14 @@ def is_reached(time: float, instant: float) -> bool:
     return instant - time <= _rounding(time)
 
 
-def _bad_interval(evaluator: Evaluator, i: int, interval: float) -> Exception:
-    node = evaluator.code.system.discrete.samples[i]
-    message = f"`{to_text(node)}` has the interval {number(interval)} s {at(float(evaluator.t[0]))}"
-    return fail(SimulationProblem, "simulate.sample-interval", message, hint="it must be greater than zero")
+def _bad_sample(evaluator: Evaluator, i: int, start: float, interval: float) -> Exception:
+    system = evaluator.code.system
+    node = system.discrete.samples[i]
+    span = span_of(system, node)
+    names = symbols([node])
+    if math.isfinite(start):
+        what, hint = f"the interval {number(interval)} s", "it must be greater than zero"
+    else:
+        what, hint = f"the start {number(start)} s", "it must be a number"
+    message = f"`{to_text(node)}` has {what} {at(float(evaluator.t[0]))}"
+    return fail(SimulationProblem, "simulate.sample-interval", message, span, names=names, hint=hint)

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from acausal.errors import AcausalError, SimulationProblem, UnsupportedProblem, fail
+from acausal.errors import AcausalError, UnsupportedProblem, fail
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import operators
+from acausal.simulate.failures import culprit, stopped
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at
 from acausal.simulate.solver import Arrival, Tolerances, Work
 
 _AT_STOP, _AT_ROOT = 1, 2
@@ -136,8 +136,6 @@ class ScikitsOdes:
 
     def _failure(self, message: str) -> AcausalError:
         evaluator = self._evaluator
-        if not evaluator.evaluate():
-            evaluator.explain()
-        names = list(evaluator.code.system.states[:3])
-        text = f"scikits-odes stopped {at(self._time)}: {message}"
-        return fail(SimulationProblem, "simulate.solver", text, names=names, hint="choose another solver")
+        culprit(evaluator)
+        x = evaluator.x.copy()
+        return stopped(evaluator, self._limits, "scikits-odes", "simulate.solver", message, self._time, x)

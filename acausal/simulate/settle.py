@@ -25,12 +25,13 @@ from numpy.typing import NDArray
 
 from acausal.errors import AcausalError, Diagnostic, SimulationProblem
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.events import Instant, crossed_modes, operators, wanted_modes
+from acausal.simulate.event_errors import bad_reset, no_value
+from acausal.simulate.events import Instant, against, crossed_modes, operators, wanted_modes
 from acausal.simulate.initial_modes import Switched, moving, same_values
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, crossing_text, leaf_name, place, some
-from acausal.symbolic.causal import CausalSystem
-from acausal.symbolic.expressions.expr import Expr, symbols
+from acausal.symbolic.causal import CausalSystem, ZeroCrossing
+from acausal.symbolic.expressions.expr import Expr, postorder, symbols
 
 MAX_ITERATIONS = 50
 _PER_MODE = 4
@@ -66,6 +67,7 @@ class Settling:
         self._met = np.zeros(len(self._ops), dtype=np.bool_)
         self._none = np.zeros(len(self._ops), dtype=np.bool_)
         self._instant = Instant(0.0, evaluator.x.copy(), ahead, self._none, np.zeros(len(self._ops)))
+        self._whole = np.array([_is_whole(crossing) for crossing in system.zero_crossings], bool)
         self._error: AcausalError | None = None
 
     def remember(self) -> None:
@@ -111,12 +113,20 @@ class Settling:
             return
         self._met[:] = crossed != 0
         evaluator.settle()
+        wrong = against(evaluator, crossed, self._ahead)
         evaluator.event()
         roots, anchored = evaluator.roots.copy(), bool(evaluator.d.size)
         self._instant = Instant(
-            time, x.copy(), self._ahead, crossed != 0, roots, anchored=anchored, met=self._met
+            time,
+            x.copy(),
+            self._ahead,
+            crossed != 0,
+            roots,
+            anchored=anchored,
+            met=self._met,
+            released=self._whole | wrong,
         )
-        evaluator.m[:] = crossed_modes(self._ops, evaluator.m, crossed)
+        evaluator.m[:] = crossed_modes(self._ops, evaluator.m, np.where(wrong, 0, crossed))
 
     def _act(self) -> bool:
         """Notes checks and stops that are met, and resets states; whether any was reset."""
@@ -135,6 +145,8 @@ class Settling:
             return False
         x = self._instant.x.copy()
         for i in resets:
+            if not np.isfinite(values[n + i]):
+                raise bad_reset(evaluator, part.resets[i], float(values[n + i]), self._instant.time)
             x[self._resets[i]] = values[n + i]
         self._instant = replace(self._instant, x=x)
         evaluator.at(self._instant.time, x)
@@ -206,7 +218,7 @@ class Settling:
         evaluator.update()
         found = evaluator.update.outputs[0]
         if not np.isfinite(found).all():
-            self._error = self._error or _no_value(evaluator, found, self._instant.time)
+            self._error = self._error or no_value(evaluator, found, self._instant.time)
             return False
         evaluator.d[self._unknowns] = found
         return True
@@ -245,18 +257,14 @@ class Settling:
         return False
 
 
+def _is_whole(crossing: ZeroCrossing) -> bool:
+    """Whether it is one of the two that end what `integer(...)` holds."""
+    return any(node.op == "integer" for node in postorder([crossing.relation]))
+
+
 def _is_discrete(op: str, is_known: bool) -> bool:
     """Whether the past of this changes at events only: a discrete variable or a condition."""
     return is_known or op not in ("sym", "der")
-
-
-def _no_value(evaluator: Evaluator, found: Vector, time: float) -> AcausalError:
-    part = evaluator.code.system.discrete
-    assignment = part.assignments[int(np.flatnonzero(~np.isfinite(found))[0])]
-    name = leaf_name(assignment.unknown)
-    message = f"`{name}` is not a number {at(time)}"
-    span = assignment.equation.flat.span
-    return SimulationProblem(Diagnostic("simulate.not-finite", message, span, (name,)))
 
 
 def _cycle(system: CausalSystem, circle: list[Switched], time: float) -> AcausalError:
