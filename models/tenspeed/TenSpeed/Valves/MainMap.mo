@@ -8,6 +8,9 @@ model MainMap "Main regulator at level 5: the line's pressure sets how far the e
   parameter Mechanics.Units.Position s_round = 10e-6 "Rounding of the lower stop; chosen: the clearance";
   parameter Mechanics.Units.Position x_stiff = 0.1 "Opening at which the stiffness has doubled; chosen: without effect";
   parameter Hydraulics.Units.AbsolutePressure p_0 = 101325 "Atmosphere";
+  constant Mechanics.Units.Position x_open = 0.3e-3 "Overlap of the edge that opens first";
+  constant Mechanics.Units.Ratio closed = 100
+    "Slope of x over y below x_open; chosen: flows change with y as they do above, none of them depends on it";
   Hydraulics.Components.SpoolEdge converterEdge(
     final fluid = fluid,
     overlap = 0.3e-3,
@@ -34,9 +37,11 @@ model MainMap "Main regulator at level 5: the line's pressure sets how far the e
     d = 0.3e-3,
     l = 10e-3) "Through the clearances; chosen: 0.05 l/min at 10 bar";
   Mechanics.Translational.Sources.PositionSignal opening "Of all edges";
-  Mechanics.Units.Position x(start = 0.5e-3, nominal = 1e-3) "Position without the lower stop";
+  Mechanics.Units.Position x "Position without the lower stop";
+  Mechanics.Units.Position y(start = 0.5e-3, nominal = 1e-3) "What x is a function of, steeper where no edge is open";
 equation
   // Opening
+  x = y - (closed - 1)*Hydraulics.Functions.positivePart(x_open - y, s_round);
   line.p = p_0 + p_closed + gain*(pilot.p - p_0) + stiffness*x*(1 + (x/x_stiff)^2);
   s = Hydraulics.Functions.positivePart(x, s_round);
   opening.s = s;
@@ -56,7 +61,8 @@ equation
   m_oil = 0;
   annotation(Documentation(info = "<html>
 <p>p_line = p_0 + p_closed + gain (p_pilot - p_0) + stiffness x, the edges open by s = x, but not below 0. Spool, chambers
-and line have no state. The pressure is an explicit function of the opening, whose stiffness rises a little, so that a
-solver iterates on x, which a flow determines well: fed by a flow the line's pressure is what makes the edges take that flow.</p>
+and line have no state. The pressure and the opening are explicit functions of y, on
+which a solver iterates: flows change with y in the same measure whether the edges are open or shut, so Newton's method
+finds its way from one to the other. Fed by a flow the line's pressure is what makes the edges take that flow.</p>
 </html>"));
 end MainMap;
