@@ -223,13 +223,15 @@ class Evaluator:
         return fine and bool(np.isfinite(self.xdot).all())
 
     def _solved_otherwise(self) -> bool:
-        """Evaluates from where blocks were settled, or by damped iterations: a refused step may have misled the guess."""
+        """From where blocks were settled, or by damped iterations: a refused step may mislead the guess."""
         misled = self.guess.copy()
         self.guess[:] = self._settled
         if self.ode() and np.isfinite(self.z).all():
             return True
         self.guess[:] = misled
-        return self._in_vain < _IN_VAIN and self.walk_into([self.xdot, self.z], float(self.t[0]), self.x.copy())
+        return self._in_vain < _IN_VAIN and self.walk_into(
+            [self.xdot, self.z], float(self.t[0]), self.x.copy()
+        )
 
     def settle(self) -> None:
         """Makes sure that the blocks are solved here, with the robust solver if need be.

@@ -273,7 +273,13 @@ def test_regulation_circuit_of_maps() -> None:
     compiled = acausal.loads(text).compile()
     assert list(compiled.states) == ["accumulator.stage.volume.p"]
     finest = run("RegulationCircuitFlow")
-    for solver, rtol in (("rodas", 1e-6), ("cvode", 1e-4), ("cvode", 1e-7), ("cvode-adams", 1e-5), ("ida", 1e-6)):
+    for solver, rtol in (
+        ("rodas", 1e-6),
+        ("cvode", 1e-4),
+        ("cvode", 1e-7),
+        ("cvode-adams", 1e-5),
+        ("ida", 1e-6),
+    ):
         result = compiled.simulate(stop_time=2.5, solver=solver, rtol=rtol)
         for name in ("p_line", "p_converter", "p_lubrication"):
             assert result.values(name)[-1] == pytest.approx(finest.values(name)[-1], rel=2e-3)
