@@ -118,3 +118,48 @@ def test_what_is_not_a_number_is_named() -> None:
     clutch = Table({"time": time, "current": time, "pressure": time, "position": broken})
     with pytest.raises(UsageProblem, match=r"`position` is not a number at 0\.5 s"):
         engagements(clutch)
+
+
+@pytest.mark.parametrize("value", [np.inf, -np.inf, 1e300])
+def test_what_is_infinite_is_named(value: float) -> None:
+    time = np.linspace(0, 1, 11)
+    broken = np.where(time > 0.45, value, time)
+    with pytest.raises(UsageProblem, match=r"`pressure` is infinite or far too large at 0\.5 s"):
+        engagements(Table({"time": time, "current": time, "pressure": broken}))
+    with pytest.raises(UsageProblem, match="`time` is infinite or far too large in row 6"):
+        engagements(Table({"time": broken, "current": time, "pressure": time}))
+    with pytest.raises(UsageProblem, match="stop"):
+        engagements(
+            Table({"time": time, "current": time, "pressure": time}), stop=value if value < 1e9 else np.nan
+        )
+
+
+@pytest.mark.parametrize("name", ["torqueRatio", "capacityFactor"])
+def test_a_sweep_without_torque_is_refused(name: str) -> None:
+    columns = {
+        "time": RATIO,
+        "speedRatio": RATIO,
+        "torqueRatio": SWEEP.torque_ratio,
+        "capacityFactor": SWEEP.capacity,
+    }
+    columns[name] = columns[name] * np.where(RATIO > 0.5, -1, 1)
+    with pytest.raises(UsageProblem, match=f"`{name}` is not positive at the speed ratio 0.501"):
+        curves(Table(columns))
+
+
+def test_a_lag_of_first_order_creeps_to_its_end() -> None:
+    """2 to 98 % take 3.89 time constants; a ramp has an end, and a falling pressure lets the piston fall."""
+    time = np.arange(0, 2, 1e-4)
+    late = np.maximum(time - 0.5, 0)
+    pressure = np.asarray(1e5 + 5e5 * (1 - np.exp(-late / 0.05)), np.float64)
+    lag = Table({"time": time, "current": 1.0 * (time > 0.4), "pressure": pressure})
+    assert engagements(lag)[0].figures.rise == pytest.approx(0.05 * np.log(49), rel=1e-3)
+    assert engagements(lag)[0].figures.delay == pytest.approx(0.1 - 0.05 * np.log(0.98), abs=2e-4)
+    down = np.interp(time, [0.5, 1.0], [6e5, 1e5])
+    released = Table(
+        {"time": time, "current": down, "pressure": down, "position": np.interp(time, [0.6, 0.7], [5e-3, 0])}
+    )
+    found = engagements(released)[0].figures
+    assert found.rise == pytest.approx(0.49, rel=1e-4)
+    assert found.corner_time == pytest.approx(0.698 - 0.51, abs=1e-6)
+    assert found.corner_pressure == pytest.approx(-5e5 * 0.396, rel=1e-4)

@@ -164,3 +164,34 @@ def test_the_model_at_level_4_solves_there_too(kind: str) -> None:
         run = compiled.simulate(parameters=changes, stop_time=1e-3)
         for found, value in (("torus.Q", wanted.flow[i]), ("turbineTorque", wanted.turbine_torque[i])):
             assert float(run.values(found)[-1]) == pytest.approx(float(value), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("values", "code"),
+    [
+        ({"A": 0.0}, "out-of-range"),
+        ({"R_t": -0.1}, "out-of-range"),
+        ({"a_s": 1.57}, "out-of-range"),
+        ({"C_p": -0.1}, "out-of-range"),
+        ({"rho": np.inf}, "out-of-range"),
+        ({"f": np.nan}, "not-a-number"),
+        ({"A": np.ones((2, 2))}, "not-a-number"),
+        ({"A": np.array([])}, "not-a-number"),
+    ],
+)
+def test_circuits_that_cannot_be(values: dict[str, float | Array], code: str) -> None:
+    with pytest.raises(UsageProblem, match=f"converter.{code}") as problem:
+        Geometry.of(values)
+    assert problem.value.diagnostics[0].names == tuple(values)
+
+
+def test_operating_points_that_cannot_be() -> None:
+    one = np.array([200.0])
+    with pytest.raises(UsageProblem, match="`impeller_speed` is not a number"):
+        Operating(impeller_speed=np.array([200, np.nan]), turbine_speed=one)
+    with pytest.raises(UsageProblem, match="`turbine_torque` is inf"):
+        Operating(impeller_speed=one, turbine_torque=np.array([np.inf]))
+    with pytest.raises(UsageProblem, match="2 entries do not go with 3"):
+        steady_state(NOMINAL, Operating(impeller_speed=np.ones(3), turbine_speed=np.ones(2)))
+    with pytest.raises(UsageProblem, match="of one circuit"):
+        steady_map(Geometry.of({"A": np.array([0.009, 0.01])}))

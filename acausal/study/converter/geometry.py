@@ -41,7 +41,7 @@ class Geometry:
     def of(values: Mapping[str, float | Array]) -> Geometry:
         """The nominal circuit with some entries replaced.
 
-        Raises UsageProblem `converter.unknown-parameter`.
+        Raises UsageProblem `converter.unknown-parameter`, `converter.not-a-number`, `converter.out-of-range`.
         """
         unknown = [name for name in values if name not in NAMES]
         if unknown:
@@ -52,8 +52,7 @@ class Geometry:
                 names=unknown,
                 hint=f"it has {', '.join(NAMES)}",
             )
-        arrays = {name: np.atleast_1d(np.asarray(value, np.float64)) for name, value in values.items()}
-        return replace(NOMINAL, **arrays)
+        return replace(NOMINAL, **{name: _checked(name, value) for name, value in values.items()})
 
     def take(self, where: NDArray[np.bool_]) -> Geometry:
         """The entries of the chosen points."""
@@ -66,6 +65,45 @@ class Geometry:
         return Geometry(**{name: v[:, None] for name, v in arrays.items()})
 
 
+def numbers(name: str, value: object, largest: float) -> Array:
+    """A row of numbers, none larger than `largest`.
+
+    Raises UsageProblem `converter.not-a-number`, `converter.out-of-range`.
+    """
+    try:
+        row = np.atleast_1d(np.asarray(value, np.float64))
+    except (TypeError, ValueError):
+        row = np.array([np.nan])
+    wrong = ~(np.abs(row) <= largest)
+    if row.ndim > 1 or not row.size or np.isnan(row).any():
+        what = "not a row of numbers" if row.ndim > 1 or not row.size else "not a number"
+        raise fail(UsageProblem, "converter.not-a-number", f"`{name}` is {what}", names=[name])
+    if wrong.any():
+        raise out_of_range(name, float(row[wrong][0]), f"at most {largest:g} in magnitude")
+    return row
+
+
+def out_of_range(name: str, value: float, allowed: str) -> Exception:
+    """The error for a number that no circuit has."""
+    return fail(
+        UsageProblem, "converter.out-of-range", f"`{name}` is {value:g}, it must be {allowed}", names=[name]
+    )
+
+
+def _checked(name: str, value: object) -> Array:
+    """One parameter: sizes and density are positive, losses are not negative, blades not tangential."""
+    row = numbers(name, value, 1e6)
+    if name.startswith(("a_", "b_")) and (np.abs(row) > 0.49 * pi).any():
+        raise out_of_range(name, float(row[np.abs(row) > 0.49 * pi][0]), "between -88 and 88 degrees, in rad")
+    if name in _POSITIVE and (row <= 0).any():
+        raise out_of_range(name, float(row[row <= 0][0]), "positive")
+    if name in _NOT_NEGATIVE and (row < 0).any():
+        raise out_of_range(name, float(row[row < 0][0]), "not negative")
+    return row
+
+
+_POSITIVE = ("R_p", "R_t", "R_s", "A", "rho", "Q_0", "d_s")
+_NOT_NEGATIVE = ("C_p", "C_t", "C_s", "f")
 NAMES = tuple(field.name for field in fields(Geometry))
 
 

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from acausal.errors import UsageProblem, fail
 from acausal.study.converter.flow import Choice, flow_at
-from acausal.study.converter.geometry import NOMINAL, Array, Geometry
+from acausal.study.converter.geometry import NAMES, NOMINAL, Array, Geometry, numbers
 from acausal.study.converter.laws import balance
 
 _SPEED = 200.0
@@ -39,9 +40,13 @@ class ConverterMap:
 def steady_map(geometry: Geometry = NOMINAL, ratio: Array | None = None) -> ConverterMap:
     """The map of one circuit, computed at 200 rad/s of the faster ring.
 
-    Up to the end of the upper branch it follows that branch, then it falls to no torque at ratio 1.
+    Up to the end of the upper branch it follows that branch, then it falls to no torque at ratio 1. Raises
+    UsageProblem `converter.sizes`, `converter.not-a-number`, `converter.out-of-range`.
     """
-    x = _ratios() if ratio is None else ratio
+    if any(getattr(geometry, name).size > 1 for name in NAMES):
+        message = "a map is of one circuit, not of several"
+        raise fail(UsageProblem, "converter.sizes", message, hint="take one of them: geometry.take(...)")
+    x = _ratios() if ratio is None else numbers("ratio", ratio, 1.0)
     fast, slow = np.full(len(x), _SPEED), _SPEED * x
     p, t = _torques(fast, slow, geometry, "upper")
     t_over, p_over = _torques(slow, fast, geometry, "lower")[::-1]

@@ -10,14 +10,15 @@ middle branch too, which no speeds alone could hold.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from typing import get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from acausal.errors import UsageProblem, fail
 from acausal.study.converter.flow import Choice, flow_at
-from acausal.study.converter.geometry import NAMES, Array, Geometry
+from acausal.study.converter.geometry import NAMES, Array, Geometry, numbers
 from acausal.study.converter.laws import balance
 
 Strings = NDArray[np.str_]
@@ -30,13 +31,15 @@ _EDGE = 30
 _REFINEMENTS = 22
 _CHUNK = 250
 _ACCEPTED = 1e-6
+_LARGEST = 1e6
+"""rad/s or N.m."""
 
 
 @dataclass(frozen=True, eq=False)
 class Operating:
     """What the shafts prescribe: one entry of each pair, SI units; the turbine's torque counts out of it.
 
-    Raises UsageProblem `converter.prescribed`.
+    Raises UsageProblem `converter.prescribed`, `converter.not-a-number`, `converter.out-of-range`.
     """
 
     impeller_speed: Array | None = None
@@ -49,6 +52,10 @@ class Operating:
             if (getattr(self, f"{shaft}_speed") is None) == (getattr(self, f"{shaft}_torque") is None):
                 message = f"prescribe either the speed or the torque of the {shaft}"
                 raise fail(UsageProblem, "converter.prescribed", message)
+        for field in fields(self):
+            given = getattr(self, field.name)
+            if given is not None:
+                object.__setattr__(self, field.name, numbers(field.name, given, _LARGEST))
 
     @property
     def size(self) -> int:
@@ -79,8 +86,11 @@ def steady_state(geometry: Geometry, at: Operating, choice: Choice = "upper") ->
 
     Arrays of all points have one size, or size 1. Where torques are prescribed, solutions are sought in which
     the impeller turns forward and the turbine forward or slowly backward; where there is none (torques whose
-    ratio no speeds have) the branch is `none`.
+    ratio no speeds have) the branch is `none`. Raises UsageProblem `converter.sizes`, `converter.choice`.
     """
+    if choice not in get_args(Choice):
+        message = f"there is no branch `{choice}` to choose"
+        raise fail(UsageProblem, "converter.choice", message, hint="choose upper or lower")
     size = max(at.size, *(int(getattr(geometry, name).size) for name in NAMES))
     g = Geometry(**{name: _full(getattr(geometry, name), size) for name in NAMES})
     entries = (at.impeller_speed, at.impeller_torque, at.turbine_speed, at.turbine_torque)
@@ -96,6 +106,11 @@ def steady_state(geometry: Geometry, at: Operating, choice: Choice = "upper") ->
 
 
 def _full(entry: Array, size: int) -> Array:
+    if np.size(entry) not in (1, size):
+        message = f"{np.size(entry)} entries do not go with {size} of another parameter or shaft"
+        raise fail(
+            UsageProblem, "converter.sizes", message, hint="give one entry for all points, or one for each"
+        )
     return np.broadcast_to(np.asarray(entry, np.float64), size).copy()
 
 

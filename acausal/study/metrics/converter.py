@@ -20,6 +20,8 @@ STANDSTILL = 1e-4
 COMPARED_TO = 0.95
 """Speed ratio up to which curves are compared: beyond it K grows without bound."""
 
+_ROUNDING = 1e-6
+
 
 @dataclass(frozen=True, eq=False)
 class Curves:
@@ -39,7 +41,7 @@ class ConverterFigures:
     stall_capacity_factor: float | None
     """K at speed ratio 0 in rpm/sqrt(N.m)."""
     coupling_speed_ratio: float | None
-    """Where the torque ratio first falls to 1."""
+    """Where the torque ratio first falls to 1, but for a millionth."""
     peak_efficiency: float | None
     """Largest speed ratio times torque ratio up to coupling; without coupling up to the end of the sweep."""
     peak_efficiency_speed_ratio: float | None
@@ -56,7 +58,8 @@ class ConverterFigures:
 def curves(table: Table) -> Curves:
     """The sweep of a result with `speedRatio`, `torqueRatio`, `capacityFactor`.
 
-    Raises UsageProblem `metrics.missing-signal`, `metrics.not-a-number`, `metrics.no-sweep`.
+    Raises UsageProblem `metrics.missing-signal`, `metrics.not-a-number`, `metrics.no-sweep`, and
+    `metrics.out-of-range` where, up to a speed ratio of 0.95, one of the others is not positive.
     """
     ratio, torque, capacity = (
         table.trace(name).values for name in ("speedRatio", "torqueRatio", "capacityFactor")
@@ -76,13 +79,24 @@ def curves(table: Table) -> Curves:
             names=["speedRatio"],
             hint="sweep it from 0, as TenSpeed.Benches.TorqueConverterL1 does",
         )
-    return Curves(ratio[rising], torque[rising], capacity[rising])
+    found = Curves(ratio[rising], torque[rising], capacity[rising])
+    for name, values in (("torqueRatio", found.torque_ratio), ("capacityFactor", found.capacity)):
+        wrong = (found.ratio <= COMPARED_TO) & ~(values > 0)
+        if wrong.any():
+            raise fail(
+                UsageProblem,
+                "metrics.out-of-range",
+                f"`{name}` is not positive at the speed ratio {float(found.ratio[wrong][0]):g}",
+                names=[name],
+                hint="a driven converter takes and gives torque: look at the signs of both torques",
+            )
+    return found
 
 
 def converter_figures(sweep: Curves, reference: Curves | None = None) -> ConverterFigures:
     """The figures of a sweep, and its distance to a reference."""
     stalled = float(sweep.ratio[0]) <= STANDSTILL and float(sweep.ratio[-1]) >= 0
-    coupling = first_crossing(Trace(sweep.ratio, sweep.torque_ratio), 1.0, rising=False)
+    coupling = first_crossing(Trace(sweep.ratio, sweep.torque_ratio), 1 + _ROUNDING, rising=False)
     end = float(sweep.ratio[-1]) if coupling is None else coupling
     ratio = np.append(sweep.ratio[sweep.ratio < end], end)
     efficiency = ratio * np.interp(ratio, sweep.ratio, sweep.torque_ratio)

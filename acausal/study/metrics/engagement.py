@@ -12,6 +12,7 @@ from acausal.study.metrics.traces import Trace, first_crossing
 
 THRESHOLD = 0.02
 _ENDS = 0.05
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
@@ -23,9 +24,11 @@ class Engagement:
     delay: float | None
     """From the command passing 2 % to the pressure passing 2 %."""
     rise: float | None
-    """From the pressure passing 2 % to it reaching its final value, or 98 % where it creeps there."""
+    """From the pressure passing 2 % to it reaching its final value; to 98 % where it creeps there: where the
+    last 2 % take longer than all before."""
     corner_time: float | None
-    """From the pressure passing 2 % to the piston reaching its stop."""
+    """From the pressure passing 2 % to the piston reaching its stop, on its way up or, where the pressure
+    falls, down."""
     corner_pressure: float | None
     """What the pressure has risen by until then."""
     overshoot: float | None
@@ -48,22 +51,27 @@ def engagement(
         commanded = first_crossing(wish, THRESHOLD, rising=True)
     begun = first_crossing(share, THRESHOLD, rising=True)
     corner = None
-    if piston is not None and stop is not None:
-        corner = first_crossing(piston, stop, rising=True)
-    arrived = None
-    if begun is not None:
-        arrived = first_crossing(share, 1.0, rising=True, after=begun)
-        if arrived is None:
-            arrived = first_crossing(share, 1 - THRESHOLD, rising=True, after=begun)
+    if piston is not None and stop is not None and begun is not None:
+        corner = first_crossing(piston, stop, rising=change > 0, after=begun)
     return Engagement(
         initial,
         final,
         _after(commanded, begun),
-        _after(begun, arrived),
+        _after(begun, _arrived(share, begun)),
         _after(begun, corner),
         None if corner is None else pressure.at(corner) - initial,
         100 * max(0.0, float(share.values.max()) - 1),
     )
+
+
+def _arrived(share: Trace, begun: float | None) -> float | None:
+    """When the share reaches 1, or 98 % where it needs longer from there than to there."""
+    if begun is None:
+        return None
+    close = first_crossing(share, 1 - THRESHOLD, rising=True, after=begun)
+    there = first_crossing(share, 1 - _ROUNDING, rising=True, after=begun)
+    creeps = close is not None and there is not None and there - close > close - begun
+    return close if there is None or creeps else there
 
 
 def _ends(trace: Trace) -> tuple[float, float]:

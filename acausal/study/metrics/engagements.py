@@ -32,9 +32,13 @@ def engagements(
 
     `stop` (m) is where the piston has reached its end stop: by default 98 % of its travel in the window from
     `start` to `end` (s), which is the whole result by default. Raises UsageProblem `metrics.missing-signal`,
-    `metrics.not-a-number`, `metrics.no-window`.
+    `metrics.not-a-number`, `metrics.no-window`, `metrics.out-of-range`.
     """
-    time = table.columns["time"]
+    if stop is not None and not np.isfinite(stop):
+        raise fail(
+            UsageProblem, "metrics.out-of-range", f"a piston cannot stop at {stop:g} m", names=["stop"]
+        )
+    time = table.trace("time").time
     first = float(time[0]) if start is None else start
     last = float(time[-1]) if end is None else end
     if not float(time[0]) <= first < last <= float(time[-1]):
@@ -55,14 +59,18 @@ def engagements(
         pressure, command = (table.trace(f"{kind}{suffix}") for kind in ("pressure", "current"))
         position = f"position{suffix}"
         piston = table.trace(position).between(first, last) if position in table.columns else None
-        reached = _end_of_travel(piston) if stop is None else stop
-        figures = engagement(command.between(first, last), pressure.between(first, last), piston, reached)
+        within = pressure.between(first, last)
+        reached = _end_of_travel(piston, within) if stop is None else stop
+        figures = engagement(command.between(first, last), within, piston, reached)
         found.append(NamedEngagement(suffix.removeprefix("_"), figures))
     return found
 
 
-def _end_of_travel(piston: Trace | None) -> float | None:
+def _end_of_travel(piston: Trace | None, pressure: Trace) -> float | None:
+    """98 % of the travel that the pressure causes: up, or down where it falls."""
     if piston is None or np.ptp(piston.values) == 0:
         return None
     first = float(piston.values[0])
-    return first + _TRAVEL * (float(piston.values.max()) - first)
+    rises = pressure.values[-1] >= pressure.values[0]
+    end = float(piston.values.max() if rises else piston.values.min())
+    return None if end == first else first + _TRAVEL * (end - first)

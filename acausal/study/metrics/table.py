@@ -12,6 +12,9 @@ from acausal.errors import UsageProblem, fail
 from acausal.results.stored import read_result
 from acausal.study.metrics.traces import Trace, Vector
 
+_LARGEST = 1e150
+"""What is larger overflows where it is squared."""
+
 
 @dataclass(frozen=True, eq=False)
 class Table:
@@ -30,14 +33,19 @@ class Table:
                 hint=f"store it: acausal simulate ... -v {name}",
             )
         time, values = self.columns["time"], self.columns[name]
-        if np.isnan(values).any():
-            raise fail(
-                UsageProblem,
-                "metrics.not-a-number",
-                f"`{name}` is not a number at {float(time[np.isnan(values)][0]):g} s",
-                names=[name],
-                hint="measure a result that is complete",
-            )
+        for column, text in ((time, "time"), (values, name)):
+            wrong = ~(np.abs(column) < _LARGEST)
+            if wrong.any():
+                row = int(np.argmax(wrong))
+                what = "is not a number" if np.isnan(column[row]) else "is infinite or far too large"
+                where = f"in row {row + 1}" if text == "time" else f"at {float(time[row]):g} s"
+                raise fail(
+                    UsageProblem,
+                    "metrics.not-a-number",
+                    f"`{text}` {what} {where}",
+                    names=[text],
+                    hint="measure a result that is complete",
+                )
         return Trace(time, values)
 
     def traces(self, prefix: str) -> dict[str, Trace]:
