@@ -2,8 +2,14 @@ within TenSpeed.Interfaces;
 partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to tenth, down to first, and back"
   parameter Mechanics.Units.Torque tau_in = 150 "Input torque while it drives";
   parameter Hydraulics.Units.AbsolutePressure p_on = 12e5 "Pressure of an engaged element; chosen: line pressure at high load";
-  parameter Hydraulics.Units.AbsolutePressure p_off = 1.1e5 "Pressure of an open element; chosen: just filled";
+  parameter Hydraulics.Units.AbsolutePressure p_coast = 6e5
+    "The same after 25 s, without input torque; chosen: line pressure follows the load";
+  parameter Hydraulics.Units.AbsolutePressure p_off = 1.6e5
+    "Pressure of an open element; chosen: the largest piston does not move yet, so that all fill soon";
   parameter Mechanics.Units.Time duration = 0.5 "Duration of each pressure ramp";
+  parameter Integer slack(min = 1) = 2
+    "Of the upshifts: (1/2)^slack of the pressure is left half-way; chosen: hardly any tie-up, engine speed hardly rises"
+    annotation(Evaluate = true);
   constant Integer row[25] = {11, 12, 12, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 12, 12, 11}
     "Sequence of gears: rows of the table of engagements, 12 for park and neutral";
   constant Real times[24](each unit = "s") =
@@ -20,8 +26,10 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
   Mechanics.Rotational.Components.Fixed case "Case";
   Signals.Sources.SmoothSchedule pressure(
     times = times,
-    values = {{if engaged[row[j], k] then p_on else p_off for j in 1:25} for k in 1:6},
-    duration = duration) "Schedule of C1, C2, C3, B1, B2, B3";
+    values = {{if not engaged[row[j], k] then p_off elseif j > 13 and j < 25 then p_coast else p_on for j in 1:25}
+      for k in 1:6},
+    duration = duration,
+    slack = {if j > 3 and j < 13 then slack else 1 for j in 1:24}) "Schedule of C1, C2, C3, B1, B2, B3";
   Signals.Sources.SmoothSteps torque(times = {2, 6, 25, 47}, values = {tau_in, 0, tau_in, 0, 0}) "Schedule of the input";
   Gearbox.BrakeSchedule brakeForce(
     J = vehicle.inertia.J,
@@ -78,6 +86,8 @@ equation
   annotation(Documentation(info = "<html>
 <p>Input torque from 0 s on reverse; park at 2 s, neutral at 4 s, first at 6 s, an upshift every 2 s to tenth at 24 s;
 input torque off and brake on at 25 s, a downshift every 2 s from 26 s to first at 42 s; neutral at 44 s, park at
-46 s, reverse at 48 s. Pressures of oncoming and offgoing elements ramp at the same time, without feedback.</p>
+46 s, reverse at 48 s. Pressures of oncoming and offgoing elements ramp at the same time, without feedback. In an upshift
+both are low half-way: plates hold about twice the load at full pressure, and would tie up the gearbox otherwise.
+In a downshift, without input torque, they overlap as they will, at half of the pressure.</p>
 </html>"));
 end GearboxBench;
