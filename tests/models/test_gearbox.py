@@ -96,6 +96,14 @@ def test_energy_of_elastic_gearsets_is_accounted_for(level: int) -> None:
     assert np.abs(run.values("account.error")).max() < 1e-4
 
 
+def test_energy_of_individual_planets_is_accounted_for() -> None:
+    """The first teeth that meet at level 1; the whole sweep: `python -m benchmarks.sweep 1`."""
+    run = energy_bench(1).simulate(stop_time=0.05, interval=1e-3)
+    assert run.values("account.E_moved")[-1] > 40
+    assert run.values("account.E_loss")[-1] > 0.1
+    assert np.abs(run.values("account.error")).max() < 1e-4
+
+
 @pytest.mark.parametrize("solver", ["lieuler", "rosenbrock"])
 def test_linearly_implicit_steps_ten_times_as_long_as_stable_ones_of_heun(solver: str) -> None:
     """Level 1, where teeth touch and part within a step; Heun's longest stable step is 7.4 us."""
