@@ -16,9 +16,12 @@ from collections.abc import Callable, Iterable, Mapping
 import casadi as ca
 from casadi import SX
 
-from acausal.codegen.kernels import kernel_sx
+from acausal.codegen.kernels import kernel_sx, whole_sx
 from acausal.errors import UnsupportedProblem, fail
 from acausal.symbolic.expressions.expr import EnumValue, Expr, parts
+from acausal.symbolic.expressions.kernel import Part
+from acausal.symbolic.expressions.kernels.formula import Formula
+from acausal.symbolic.expressions.node import Wide
 from acausal.symbolic.expressions.operators import SWITCHING
 
 FORWARD = {"ad_weight": 0.0}
@@ -149,6 +152,7 @@ class Converter:
         self.leaves = leaves
         self.modes = modes
         self._memos: tuple[dict[Expr, SX], dict[Expr, SX]] = ({}, {})
+        self._results: tuple[_Results, _Results] = ({}, {})
 
     def __call__(self, root: Expr, literal: bool = False) -> SX:
         """The SX of `root`; `literal` computes relations even where they are events."""
@@ -171,6 +175,12 @@ class Converter:
             if node in self._memos[literal]:
                 stack.pop()
                 continue
+            if node.op == "call" and isinstance(node.kernel, Part):
+                found = self._results[literal].get((node.kernel.whole.key, node.wide or node.args))
+                if found is not None:
+                    stack.pop()
+                    self._memos[literal][node] = found[node.kernel.index]
+                    continue
             args: list[SX] = []
             pending = parts(node)
             for arg in pending:
@@ -181,10 +191,28 @@ class Converter:
                     stack.append((arg, below, below or arg.op in WRAPPERS))
             if len(args) == len(pending):
                 stack.pop()
-                self._memos[literal][node] = _build(node, args)
+                self._memos[literal][node] = self._built(node, args, literal)
         result = known(root, root_literal)
         assert result is not None
         return result
+
+    def _built(self, node: Expr, args: list[SX], literal: bool) -> SX:
+        if node.op != "call" or not isinstance(node.kernel, Part) or node.kernel.result == "String":
+            return _build(node, args)
+        whole = node.kernel.whole
+        column = whole_sx(whole, ca.vertcat(*args) if args else SX(0, 1), _formula)
+        found = self._results[literal][whole.key, node.wide or node.args] = list(ca.vertsplit(column))
+        return found[node.kernel.index]
+
+
+_Results = dict[tuple[str, Wide | tuple[Expr, ...]], list[SX]]
+"""What calls with the same arguments come to, all results of a function together."""
+
+
+def _formula(formula: Formula, formals: SX) -> SX:
+    """The results of a function written out, at values of its arguments."""
+    leaves = dict(zip(formula.formals, ca.vertsplit(formals), strict=True))
+    return ca.densify(ca.vertcat(*to_casadi(formula.results, leaves)))
 
 
 def to_casadi(

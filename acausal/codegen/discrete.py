@@ -14,6 +14,7 @@ import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import Converter
+from acausal.codegen.lazy import guarded
 from acausal.codegen.scope import Scope, column
 from acausal.codegen.starts import start_leaf
 from acausal.codegen.stitch import Stitching
@@ -95,7 +96,7 @@ def _run(
     """Evaluates the assignments in order; the values of `goal` after that."""
     convert = stitching.converter()
     convert.leaves.update(more or {})
-    for assignment in assignments:
+    for assignment in guarded(assignments):
         unknown = assignment.unknown
         if unknown.op == "integer":
             convert.modes[unknown] = _whole(unknown, convert)

@@ -16,10 +16,11 @@ from typing import TypeVar
 
 import casadi as ca
 import numpy as np
-from casadi import DM, MX, SX, Callback, Function
+from casadi import DM, MX, SX, Callback, Function, Sparsity
 
 from acausal.errors import UnsupportedProblem, fail
-from acausal.symbolic.expressions.kernel import Kernel
+from acausal.symbolic.expressions.kernel import Guarded, Kernel, Whole
+from acausal.symbolic.expressions.kernels.formula import Formula
 from acausal.symbolic.expressions.kernels.patches import Patches, Period
 from acausal.symbolic.expressions.kernels.piecewise import Piecewise
 
@@ -34,10 +35,9 @@ def kernel_sx(kernel: Kernel, args: Sequence[SX]) -> SX:
         return _piecewise_sx(kernel, args[0], args[1])
     if isinstance(kernel, Patches):
         return _patches_sx(kernel, args[0], args[1])
-    if kernel.result == "String":
-        message = f"`{kernel.name}` gives a String, which has no numeric code"
-        raise fail(UnsupportedProblem, "codegen.no-code", message, names=[kernel.name])
-    return _python_function(kernel)(*args)
+    what = "gives a String, which" if kernel.result == "String" else "is a function that"
+    message = f"`{kernel.name}` {what} has no numeric code"
+    raise fail(UnsupportedProblem, "codegen.no-code", message, names=[kernel.name])
 
 
 # ------------------------------------------------------------------------------ one argument
@@ -171,30 +171,75 @@ def _patches_function(kernel: Patches) -> Function:
     return Function("table", [u, v], [value], ["u", "v"], ["y"], _CALLED)
 
 
-# ------------------------------------------------------------------------------ evaluated in Python
+# ------------------------------------------------------------------------------ evaluated at events
+
+
+def whole_sx(whole: Whole, args: SX, inner: Callable[[Formula, SX], SX]) -> SX:
+    """All results of a function evaluated at events, as one column; `inner` converts what it computes."""
+    return _whole_function(whole, inner)(args)
+
+
+def _whole_function(whole: Whole, inner: Callable[[Formula, SX], SX]) -> Function:
+    known = _functions.get(whole)
+    if known is None:
+        if len(_functions) >= _MOST_KEPT:
+            _functions.clear()
+        known = _functions[whole] = _made(whole, inner)
+    return known
+
+
+_functions: dict[Whole, Function] = {}
+_MOST_KEPT = 256
+
+
+def _made(whole: Whole, inner: Callable[[Formula, SX], SX]) -> Function:
+    if isinstance(whole, Guarded) and isinstance(whole.inner, Formula):
+        return _only_if(_whole_function(whole.inner, inner))
+    if isinstance(whole, Formula):
+        formals = SX.sym("u", whole.arity)
+        return Function("formula", [formals], [inner(whole, formals)], ["u"], ["y"], _CALLED)
+    return _Evaluated(whole)
+
+
+def _only_if(function: Function) -> Function:
+    """`(c, u)`: the function of `u` where `c` is true; it is not evaluated where it is not."""
+    u = MX.sym("u", function.nnz_in(0))
+    zero = Function("nothing", [u], [MX(DM.zeros(function.nnz_out(0)))])
+    choice = Function.if_else("choice", function, zero, _CALLED)
+    guarded = MX.sym("u", function.nnz_in(0) + 1)
+    return Function("guarded", [guarded], [choice(guarded[0], guarded[1:])], ["u"], ["y"], _CALLED)
 
 
 class _Evaluated(Callback):
-    """A kernel that is evaluated in Python; its derivatives are zero."""
+    """Results that are evaluated in Python; their derivatives are zero."""
 
-    def __init__(self, kernel: Kernel) -> None:
+    def __init__(self, whole: Whole) -> None:
         super().__init__()
-        self._kernel = kernel
+        self._whole = whole
         self._zeros: list[Function] = []
         self.construct("kernel", {"never_inline": True})
 
     def get_n_in(self) -> int:
-        return self._kernel.arity
+        return 1
 
     def get_n_out(self) -> int:
         return 1
 
+    def get_sparsity_in(self, i: int) -> Sparsity:
+        return Sparsity.dense(self._whole.arity, 1)
+
+    def get_sparsity_out(self, i: int) -> Sparsity:
+        return Sparsity.dense(self._whole.count, 1)
+
     def eval(self, arg: Sequence[DM]) -> list[DM]:
+        return [DM(self._values(tuple(arg[0].nonzeros())))]
+
+    def _values(self, args: tuple[float, ...]) -> list[float]:
         try:
-            value = self._kernel.evaluate(*[float(a) for a in arg])
+            values = self._whole.values(args)
         except (ArithmeticError, ValueError):
-            return [DM(float("nan"))]
-        return [DM(float(value) if isinstance(value, (int, float)) else float("nan"))]
+            return [float("nan")] * self._whole.count
+        return [float(value) if isinstance(value, (int, float)) else float("nan") for value in values]
 
     def has_forward(self, nfwd: int) -> bool:
         return True
@@ -202,17 +247,8 @@ class _Evaluated(Callback):
     def get_forward(
         self, nfwd: int, name: str, inames: Sequence[str], onames: Sequence[str], opts: object
     ) -> Function:
-        n = self._kernel.arity
-        inputs = [
-            *[MX.sym(f"x{i}") for i in range(n)],
-            MX.sym("y"),
-            *[MX.sym(f"d{i}", 1, nfwd) for i in range(n)],
-        ]
-        zero = Function(name, inputs, [MX(DM.zeros(1, nfwd))], inames, onames)
+        n, m = self._whole.arity, self._whole.count
+        inputs = [MX.sym("u", n), MX.sym("y", m), MX.sym("d", n, nfwd)]
+        zero = Function(name, inputs, [MX(DM.zeros(m, nfwd))], inames, onames)
         self._zeros.append(zero)
         return zero
-
-
-@lru_cache(maxsize=256)
-def _python_function(kernel: Kernel) -> Callable[..., SX]:
-    return _Evaluated(kernel)

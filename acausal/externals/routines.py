@@ -1,8 +1,8 @@
-"""The table of functions by name, and a kernel for those that are called while a simulation runs."""
+"""The table of functions by name, and a kernel for those called while a simulation runs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
@@ -11,7 +11,7 @@ from math import prod
 from acausal.externals.arguments import Argument, Changed, Routine, Tensor
 from acausal.externals.random_numbers import RANDOM, impure_random
 from acausal.externals.strings import STRINGS
-from acausal.symbolic.expressions.kernel import Kernel, digest
+from acausal.symbolic.expressions.kernel import Whole, digest
 from acausal.symbolic.expressions.node import Constant
 
 IMPURE_RANDOM = "ModelicaRandom_impureRandom_xorshift1024star"
@@ -36,61 +36,50 @@ def find_routine(name: str) -> Routine | None:
 
 
 @dataclass(frozen=True, eq=False)
-class Called(Kernel):
-    """One scalar that a function of the table computes: element `element` of what it puts at `position`.
+class RoutineCall(Whole):
+    """A call of a function of the table: all that it writes to the arguments `outputs` (position, size).
 
-    `shapes` are the sizes of the function's arguments, `template` their elements; the kernel's own arguments
+    `shapes` are the sizes of the function's arguments, `template` their elements; the call's own arguments
     stand where it has None.
     """
 
     name: str
-    routine: str
+    key: str
     shapes: tuple[_Shape, ...]
     template: tuple[Constant | None, ...]
-    position: int
-    element: int
-    result: str
-    key: str
-    arity: int
-    continuity: int = -1
+    outputs: tuple[tuple[int, int], ...]
 
     @property
-    def is_discrete(self) -> bool:
-        return True
+    def arity(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]  # computed, never assigned
+        return sum(value is None for value in self.template)
 
-    def evaluate(self, *args: Constant) -> Constant:
+    @property
+    def count(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]  # as above
+        return sum(size for _, size in self.outputs)
+
+    def values(self, args: tuple[Constant, ...]) -> Sequence[Constant | None]:
         rest = iter(args)
         given = tuple([next(rest) if value is None else value for value in self.template])
-        value = _changed(self.routine, self.shapes, given).get(self.position)
-        if value is None:
-            raise ValueError(f"{self.routine} fails")
-        single = value.items[self.element] if isinstance(value, Tensor) else value
-        return round(single) if self.result == "Integer" and isinstance(single, float) else single
-
-    def partial(self, argument: int) -> Kernel | None:
-        return None
+        changed = _changed(self.name, self.shapes, given)
+        found: list[Constant | None] = []
+        for position, size in self.outputs:
+            value = changed.get(position)
+            found += value.items if isinstance(value, Tensor) else [value] * size
+        return found
 
 
-def caller(
+def routine_call(
     routine: str,
     shapes: Sequence[_Shape],
     template: tuple[Constant | None, ...],
-    position: int,
-    result: str,
-    name: str,
-) -> Callable[[int], Called]:
-    """Makes the kernels of one call's result, element by element."""
-    base = digest(name, routine, tuple(shapes), template, position, result)
-    arity = sum(value is None for value in template)
-
-    def called(element: int) -> Called:
-        key = f"{base}:{element}"
-        return Called(name, routine, tuple(shapes), template, position, element, result, key, arity)
-
-    return called
+    outputs: Sequence[tuple[int, int]],
+) -> RoutineCall:
+    """The call with `outputs`, by their position among the arguments and with their numbers of elements."""
+    key = digest(routine, tuple(shapes), template, tuple(outputs))
+    return RoutineCall(routine, key, tuple(shapes), template, tuple(outputs))
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=256)
 def _changed(routine: str, shapes: tuple[_Shape, ...], args: tuple[Constant, ...]) -> Changed:
     """All results of one call, for the kernels that share it."""
     run = find_routine(routine)

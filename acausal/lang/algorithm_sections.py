@@ -6,8 +6,8 @@ it is discrete; what it has in the end is the right side of its equation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from acausal.errors import Span
 from acausal.lang import ast
@@ -51,13 +51,46 @@ def translate_section(
     start = [_first_value(translation, output) for output in outputs]
     frame = Frame(translation, scope, {}, set(), 0, instance, dict(zip(symbols, start, strict=True)))
     frame.initial = frame.at_event = section.initial
-    run_algorithm(frame, [section])
+    settled = {} if section.initial else _settling(translation, section.statements, env, outputs)
+    final = _run(frame, section, settled)
     equations = [
-        Equation(symbol, frame.current[symbol], output.span, instance.path, Origin.ALGORITHM)
+        Equation(symbol, final.get(symbol, frame.current[symbol]), output.span, instance.path, Origin.ALGORITHM)
         for symbol, output in zip(symbols, outputs, strict=True)
     ]
     discrete = [o.leaf.path for o in outputs if o.discrete and o.leaf.type == REAL and not section.initial]
     return SectionResult(tuple(equations), tuple(discrete), tuple(frame.terminations))
+
+
+def _run(frame: Frame, section: ast.AlgorithmSection, settled: Mapping[int, Sequence[Expr]]) -> dict[Expr, Expr]:
+    """Run the statements. What a variable has when it is settled is its value: those that follow name it."""
+    final: dict[Expr, Expr] = {}
+    begin = 0
+    for end, symbols in settled.items():
+        run_algorithm(frame, [replace(section, statements=section.statements[begin:end])])
+        for symbol in symbols:
+            final[symbol] = frame.current[symbol]
+            frame.current[symbol] = symbol
+        begin = end
+    run_algorithm(frame, [replace(section, statements=section.statements[begin:])])
+    return final
+
+
+def _settling(
+    translation: Translation, statements: Sequence[ast.Statement], env: Env, outputs: Sequence[_Output]
+) -> dict[int, list[Expr]]:
+    """After how many statements which of the discrete variables are not assigned any more."""
+    if not any(isinstance(statement, ast.WhenStatement) for statement in statements[:-1]):
+        return {}
+    last: dict[str, int] = {}
+    for k, statement in enumerate(statements, start=1):
+        for target in targets_in([statement]):
+            last.update(dict.fromkeys([leaf.path for leaf in whole_variables(translation, target, env)], k))
+    found: dict[int, list[Expr]] = {}
+    for output in outputs:
+        k = last[output.leaf.path]
+        if output.discrete and k < len(statements):
+            found.setdefault(k, []).append(ex.sym(output.leaf.path))
+    return dict(sorted(found.items()))
 
 
 def _outputs(translation: Translation, statements: Sequence[ast.Statement], env: Env) -> list[_Output]:

@@ -12,12 +12,13 @@ from collections.abc import Sequence
 from acausal.errors import AcausalError, Diagnostic, Span, UnsupportedProblem, fail
 from acausal.externals.arguments import Argument, Routine, RoutineFailed, Tensor
 from acausal.externals.files import file_routines
-from acausal.externals.routines import IMPURE_RANDOM, caller, find_routine
+from acausal.externals.routines import IMPURE_RANDOM, find_routine, routine_call
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.external_objects import APPLICATIONS, CONSTRUCTORS, Application, object_of
 from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, Assertion, ScalarType
 from acausal.lang.function_frame import Frame
+from acausal.lang.function_kernels import parts_of
 from acausal.lang.scope import Scope
 from acausal.lang.translation import Translation
 from acausal.lang.values import AnyValue, Value, describe, literal, real, scalar
@@ -200,17 +201,12 @@ def _deferred(
     items_in = [item for value in plain for item in value.items]
     template = tuple([item.value if item.is_const else None for item in items_in])
     args = tuple([item for item in items_in if not item.is_const])
-    found: dict[int, AnyValue] = {}
-    for position, target in written.items():
-        if frame.entries[target].clause.causality != "output":
-            continue  # work arrays: nothing comes after the call that could read them
-        old = as_value(frame.variables[target], frame.scope.span)
-        result = old.type.name if old.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
-        shown = f"{frame.scope.path}.{target}"
-        make = caller(name, shapes, template, position, result, shown)
-        items = ex.calls([make(k) for k in range(len(old.items))], args)
-        found[position] = Value(old.type, old.shape, items)
-    return found
+    # work arrays are left out: nothing comes after the call that could read them
+    outputs = {k: t for k, t in written.items() if frame.entries[t].clause.causality == "output"}
+    old = {k: as_value(frame.variables[t], frame.scope.span) for k, t in outputs.items()}
+    whole = routine_call(name, shapes, template, [(k, len(value.items)) for k, value in old.items()])
+    results = parts_of(whole, args, frame.scope, {target: old[k] for k, target in outputs.items()})
+    return dict(zip(outputs, results, strict=True))
 
 
 # ------------------------------------------------------------------------------ results

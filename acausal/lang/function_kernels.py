@@ -1,6 +1,6 @@
 """Functions that cannot be inlined, because their loops depend on run-time values: run as a unit at events.
 
-Such a function becomes a kernel for each scalar it computes. Evaluating one runs the function's algorithm on
+Such a function becomes a kernel with a part for each scalar it computes. Evaluating one runs the function's algorithm on
 constants, with the same bounds on its statements as at compile time, so that it cannot run without end.
 Between events, where integration needs derivatives, these functions are refused.
 """
@@ -23,30 +23,38 @@ from acausal.lang.value_calls import reference
 from acausal.lang.values import AnyValue, Value
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Constant, EnumValue, Expr
-from acausal.symbolic.expressions.kernel import Kernel
+from acausal.symbolic.expressions.kernel import Part, Whole
 
 _MOST_KEPT = 64
 
 
 @dataclass(eq=False)
-class Body:
+class Body(Whole):
     """A function with the types and sizes of the arguments it is called with; `results` of its last calls."""
 
+    name: str
+    key: str
+    arity: int
+    count: int
     translation: Translation
     scope: Scope
     node: ast.Call
     inputs: tuple[tuple[str, ScalarType, tuple[int, ...]], ...]
-    results: dict[tuple[Constant, ...], list[AnyValue]] = field(
-        default_factory=dict[tuple[Constant, ...], list[AnyValue]]
+    results: dict[tuple[Constant, ...], list[Constant | None]] = field(
+        default_factory=dict[tuple[Constant, ...], list["Constant | None"]]
     )
 
-    def run(self, args: tuple[Constant, ...]) -> list[AnyValue]:
-        """All results for constant arguments. Raises `AcausalError`."""
+    def values(self, args: tuple[Constant, ...]) -> Sequence[Constant | None]:
         known = self.results.get(args)
         if known is None:
             if len(self.results) >= _MOST_KEPT:
                 self.results.clear()
-            known = self.results[args] = self._run(args)
+            try:
+                found = self._run(args)
+            except AcausalError as problem:
+                raise ValueError(problem.diagnostics[0].message) from None
+            items = [item for value in found if isinstance(value, Value) for item in value.items]
+            known = self.results[args] = [item.value if item.is_const else None for item in items]
         return known
 
     def _run(self, args: tuple[Constant, ...]) -> list[AnyValue]:
@@ -71,37 +79,6 @@ class Body:
             del self.translation.assertions[checks:]
 
 
-@dataclass(frozen=True, eq=False)
-class AtEvents(Kernel):
-    """Element `element` of result `position` of a function."""
-
-    body: Body
-    position: int
-    element: int
-    name: str
-    key: str
-    arity: int
-    result: str
-    continuity: int = -1
-
-    @property
-    def is_discrete(self) -> bool:
-        return True
-
-    def evaluate(self, *args: Constant) -> Constant:
-        try:
-            value = self.body.run(args)[self.position]
-        except AcausalError as problem:
-            raise ValueError(problem.diagnostics[0].message) from None
-        item = value.items[self.element] if isinstance(value, Value) else None
-        if item is None or item.value is None or not item.is_const:
-            raise ValueError(f"{self.name} gives no constant")
-        return item.value.index if isinstance(item.value, EnumValue) else item.value
-
-    def partial(self, argument: int) -> Kernel | None:
-        return None
-
-
 def at_events(
     translation: Translation,
     scope: Scope,
@@ -117,20 +94,30 @@ def at_events(
             return None
         inputs.append((name, value.type, value.shape))
         args += value.items
-    body = Body(translation, scope, node, tuple(inputs))
-    site = translation.externals.next_site()
-    results: list[AnyValue] = []
-    for position, (name, value) in enumerate(outputs):
-        if not isinstance(value, Value):
-            return None
+    values = [value for _, value in outputs if isinstance(value, Value)]
+    if len(values) < len(outputs):
+        return None
+    count = sum(len(value.items) for value in values)
+    key = site_key(translation, scope)
+    body = Body(scope.path, key, len(args), count, translation, scope, node, tuple(inputs))
+    return [*parts_of(body, tuple(args), scope, dict(zip([name for name, _ in outputs], values, strict=True)))]
+
+
+def site_key(translation: Translation, scope: Scope) -> str:
+    """A key for the call of a function that the next one does not get."""
+    return f"function {scope.path} {translation.externals.number} {translation.externals.next_site()}"
+
+
+def parts_of(
+    whole: Whole, args: tuple[Expr, ...], scope: Scope, outputs: Mapping[str, Value]
+) -> list[Value]:
+    """The results of a call, of the types and sizes of `outputs`."""
+    parts: list[Part] = []
+    for name, value in outputs.items():
         result = value.type.name if value.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
-        items: list[Expr] = []
-        for k in range(len(value.items)):
-            key = f"function {scope.path} {translation.externals.number} {site} {position} {k}"
-            kernel = AtEvents(body, position, k, f"{scope.path}.{name}", key, len(args), result)
-            items.append(ex.call(kernel, *args))
-        results.append(Value(value.type, value.shape, tuple(items)))
-    return results
+        parts += [Part(whole, len(parts) + k, f"{scope.path}.{name}", result) for k in range(len(value.items))]
+    items = iter(ex.calls(parts, args))
+    return [Value(v.type, v.shape, tuple(islice(items, len(v.items)))) for v in outputs.values()]
 
 
 def _of_type(value: Constant, type_: ScalarType) -> Constant:

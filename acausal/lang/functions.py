@@ -37,6 +37,7 @@ from acausal.lang.scope import Scope
 from acausal.lang.statements import run_algorithm
 from acausal.lang.translation import Env, Translation
 from acausal.lang.values import AnyValue, RecordArray, RecordValue, Value, stack
+from acausal.lang.whole_calls import called_as_whole
 
 _Arguments = dict[str, AnyValue]
 
@@ -133,8 +134,13 @@ def _inlined(
 ) -> list[AnyValue]:
     """The results as expressions; where a loop depends on run-time values, as kernels evaluated at events."""
     checks = len(translation.assertions)
+
+    def run(arguments: _Arguments) -> list[AnyValue]:
+        return _run(translation, scope, arguments, node, env)
+
     try:
-        return _run(translation, scope, given, node, env)
+        whole = called_as_whole(translation, scope, given, env, run) if env.at_event else None
+        return run(given) if whole is None else whole
     except UnsupportedProblem as problem:
         if "unsupported.run-time-loop" not in problem.codes or not (
             env.at_event or is_constant(translation, given)

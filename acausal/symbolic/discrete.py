@@ -17,6 +17,7 @@ from acausal.symbolic.causal import Assignment, CausalEquation, DiscretePart
 from acausal.symbolic.describe import listed
 from acausal.symbolic.events import Holder
 from acausal.symbolic.expressions.expr import Expr, postorder, sym
+from acausal.symbolic.expressions.node import Wide
 from acausal.symbolic.graphs.blt import strong_components
 from acausal.symbolic.graphs.matching import Matcher
 from acausal.symbolic.graphs.types import Eq, Var
@@ -194,28 +195,52 @@ def discrete_part(
 
 def in_order(assignments: Sequence[Assignment]) -> tuple[Assignment, ...]:
     """Sorted so that each assignment uses earlier ones, except in loops. Near-linear."""
-    unknowns = {a.unknown: Var(i) for i, a in enumerate(assignments)}
-    incidence = [sorted({Var(i), *_uses(a, unknowns)}) for i, a in enumerate(assignments)]
-    matcher = Matcher(incidence, len(unknowns))
-    for i in range(len(assignments)):
+    uses = _Uses({a.unknown: Var(i) for i, a in enumerate(assignments)})
+    incidence = [sorted({Var(i), *uses.of(a)}) for i, a in enumerate(assignments)]
+    incidence += uses.of_shared()
+    matcher = Matcher(incidence, len(incidence))
+    for i in range(len(incidence)):
         matcher.pair(Eq(i), Var(i))
     components = strong_components(incidence, matcher.freeze())
-    return tuple([assignments[eq] for component in components for eq in component.equations])
+    order = [eq for component in components for eq in component.equations]
+    return tuple([assignments[eq] for eq in order if eq < len(assignments)])
 
 
-def _uses(assignment: Assignment, unknowns: Mapping[Expr, Var]) -> list[Var]:
-    """The other unknowns that the value reads."""
-    value = assignment.value
-    stack = [*value.args] if value is assignment.unknown else [value]
-    seen: set[Expr] = set()
-    found: list[Var] = []
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if node in unknowns:
-            found.append(unknowns[node])
-        elif node.op != "pre":
-            stack.extend(node.args)
-    return found
+class _Uses:
+    """Which unknowns assignments read. The arguments that calls share count as an unknown of their own."""
+
+    def __init__(self, unknowns: Mapping[Expr, Var]) -> None:
+        self._unknowns = unknowns
+        self._shared: dict[Wide, Var] = {}
+
+    def of(self, assignment: Assignment) -> list[Var]:
+        """The other unknowns that the value reads."""
+        value = assignment.value
+        return self._below(value.args if value is assignment.unknown else [value])
+
+    def of_shared(self) -> list[list[Var]]:
+        """What the shared arguments met so far read, and those met on the way: themselves first."""
+        found: list[list[Var]] = []
+        waiting = [*self._shared]
+        while waiting:
+            found += [sorted({self._shared[wide], *self._below(wide.args)}) for wide in waiting]
+            waiting = [*self._shared][len(found) :]
+        return found
+
+    def _below(self, roots: Iterable[Expr]) -> list[Var]:
+        stack = [*roots]
+        seen: set[Expr] = set()
+        found: list[Var] = []
+        while stack:
+            node = stack.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            if node in self._unknowns:
+                found.append(self._unknowns[node])
+            elif node.op == "call" and node.wide is not None:
+                new = Var(len(self._unknowns) + len(self._shared))
+                found.append(self._shared.setdefault(node.wide, new))
+            elif node.op != "pre":
+                stack.extend(node.args)
+        return found

@@ -81,28 +81,59 @@ def test_generates_c(size: int) -> None:
     assert "run" in generator.dump()
 
 
-class Counter(Kernel):
-    """A kernel only Python knows."""
+class Counter(Whole):
+    """What only Python knows."""
 
     name = "count"
     key = "count"
     arity = 1
-    continuity = -1
+    count = 2
 
-    def __init__(self, result: str) -> None:
-        self.result = result
+    def __init__(self) -> None:
+        self.calls = 0
 
-    def evaluate(self, *args: Constant) -> Constant:
-        return round(number(args[0]) * 10) if self.result == "Integer" else str(args[0])
+    def values(self, args: tuple[Constant, ...]) -> Sequence[Constant | None]:
+        self.calls += 1
+        return (round(number(args[0]) * 10), None)
 
 
-def test_python_kernels_are_called_and_have_no_derivative() -> None:
-    x = SX.sym("x")
-    value = kernel_sx(Counter("Integer"), [x]) * x
-    run = Function("run", [x], [value, jacobian(value, x)])
-    assert [float(r) for r in run(2.0)] == [40.0, 20.0]
+def _part(whole: Whole, index: int) -> Expr:
+    return call(Part(whole, index, "count", "Integer"), sym("x"))
+
+
+def test_functions_of_python_are_called_once_for_all_results_and_have_no_derivative() -> None:
+    x, whole = SX.sym("x"), Counter()
+    first, second, again = to_casadi([_part(whole, 0), _part(whole, 1), _part(whole, 0)], {sym("x"): x})
+    run = Function("run", [x], [first * x, jacobian(first * x, x), second, again])
+    assert [float(r) for r in run(2.0)] == pytest.approx([40.0, 20.0, float("nan"), 20.0], nan_ok=True)
+    assert whole.calls == 1
+
+
+def test_functions_are_evaluated_where_their_values_are_used() -> None:
+    y, z = sym("y"), sym("z")
+    square = Formula("square", "square", (y,), (mul(y, y), div(ONE, y)))
+    for whole in (Counter(), square):
+        inside = call(Part(whole, 0, "f", "Real"), sym("x"))
+        value = if_then_else(relation("gt", sym("x"), ZERO), add(inside, z), z)
+        equation = CausalEquation(y, value, Equation(y, value, SPAN))
+        (assignment,) = guarded([Assignment(y, value, equation)])
+        x, w = SX.sym("x"), SX.sym("z")
+        run = Function("run", [x, w], to_casadi([assignment.value], {sym("x"): x, z: w}))
+        assert float(run(0.0, 3.0)) == 3
+        assert not isinstance(whole, Counter) or whole.calls == 0
+        assert float(run(2.0, 3.0)) == 3 + (20 if isinstance(whole, Counter) else 4)
+
+
+def test_formulas_become_c() -> None:
+    y, x = sym("y"), SX.sym("x")
+    square = Formula("square", "square", (y,), (mul(y, y),))
+    run = Function("run", [x], to_casadi([call(Part(square, 0, "f", "Real"), sym("x"))], {sym("x"): x}))
+    generator = ca.CodeGenerator("run.c")
+    generator.add(run)
+    assert "run_formula" not in generator.dump()
+    assert float(run(3.0)) == 9
 
 
 def test_texts_have_no_numeric_code() -> None:
     with pytest.raises(UnsupportedProblem):
-        kernel_sx(Counter("String"), [SX.sym("x")])
+        kernel_sx(TEXT, [SX.sym("x")])

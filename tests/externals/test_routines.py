@@ -11,7 +11,8 @@ from scipy.io import savemat
 from acausal.externals.arguments import Argument, RoutineFailed, Tensor, matrix, tensor
 from acausal.externals.files import Files, file_routines, read_table
 from acausal.externals.random_numbers import GLOBAL_SEED
-from acausal.externals.routines import IMPURE_RANDOM, caller, find_routine
+from acausal.externals.routines import IMPURE_RANDOM, find_routine, routine_call
+from acausal.symbolic.expressions.kernel import Part
 
 
 def run(name: str, *args: Argument) -> dict[int, Argument]:
@@ -127,7 +128,8 @@ def test_the_global_seed_is_fixed() -> None:
 def test_kernel_of_a_routine_gives_elements() -> None:
     template = (None, 0, None, 0)
     name = "ModelicaRandom_xorshift128plus"
-    kernels = [caller(name, [(4,)], template, 1, "Integer", "state")(k) for k in range(4)]
+    whole = routine_call(name, [(4,)], template, [(1, 4)])
+    kernels = [Part(whole, k, "state", "Integer") for k in range(4)]
     assert [k.evaluate(1, 2) for k in kernels] == [2, 0, 8388677, 0]
     assert kernels[0].arity == 2
     assert kernels[0].is_discrete

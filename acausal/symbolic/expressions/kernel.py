@@ -8,10 +8,11 @@ CasADi is `acausal.codegen.kernels`' business.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 
-from acausal.symbolic.expressions.node import Constant
+from acausal.symbolic.expressions.node import Constant, EnumValue
 
 
 class NoDerivative(Exception):
@@ -57,6 +58,86 @@ class Kernel(ABC):
 
     def __hash__(self) -> int:
         return hash(self.key)
+
+
+class Whole(ABC):
+    """A function with many scalar results that are computed together, at events; `Part` is one of them.
+
+    The calls of its parts share their arguments (`expr.calls`), and code evaluates it once for all of them.
+    """
+
+    __slots__ = ()
+    name: str
+    """As printed; not unique."""
+    key: str
+    """Digest of the contents: what makes two of them the same."""
+    arity: int
+    count: int
+    """The number of results."""
+
+    @abstractmethod
+    def values(self, args: tuple[Constant, ...]) -> Sequence[Constant | None]:
+        """All results, None where there is none; raises ArithmeticError or ValueError where all fail."""
+
+
+@dataclass(frozen=True, eq=False)
+class Part(Kernel):
+    """Result `index` of a function that is evaluated at events only."""
+
+    whole: Whole
+    index: int
+    name: str
+    result: str
+    continuity: int = -1
+
+    @property
+    def key(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]  # computed, never assigned
+        return f"{self.whole.key}:{self.index}"
+
+    @property
+    def arity(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]  # as above
+        return self.whole.arity
+
+    @property
+    def is_discrete(self) -> bool:
+        return True
+
+    def evaluate(self, *args: Constant) -> Constant:
+        value = self.whole.values(args)[self.index]
+        if value is None:
+            raise ValueError(f"{self.name} has no value")
+        if isinstance(value, EnumValue):
+            return value.index
+        return round(value) if self.result == "Integer" and isinstance(value, float) else value
+
+    def partial(self, argument: int) -> Kernel | None:
+        return None
+
+
+@dataclass(frozen=True, eq=False)
+class Guarded(Whole):
+    """`inner` where its first argument is true; zeros, which nobody reads, where it is not."""
+
+    inner: Whole
+
+    @property
+    def name(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]  # computed, never assigned
+        return self.inner.name
+
+    @property
+    def key(self) -> str:  # pyright: ignore[reportIncompatibleVariableOverride]  # as above
+        return f"{self.inner.key} if"
+
+    @property
+    def arity(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]  # as above
+        return self.inner.arity + 1
+
+    @property
+    def count(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]  # as above
+        return self.inner.count
+
+    def values(self, args: tuple[Constant, ...]) -> Sequence[Constant | None]:
+        return self.inner.values(args[1:]) if args[0] else (0.0,) * self.count
 
 
 @dataclass(frozen=True, eq=False)
