@@ -14,7 +14,7 @@ import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import Converter
-from acausal.codegen.lazy import guarded
+from acausal.codegen.lazy import guarded, guarded_values
 from acausal.codegen.scope import Scope, column
 from acausal.codegen.starts import start_leaf
 from acausal.codegen.stitch import Stitching
@@ -62,7 +62,7 @@ def discrete_code(system: CausalSystem, stitching: Stitching, parameters: tuple[
     return DiscreteCode(
         update=stitching.made("discrete", [("v", update)]),
         memory=stitching.made("memory", [("v", stitching.column(sources))]),
-        actions=stitching.made("actions", [("v", stitching.column(actions))]),
+        actions=stitching.made("actions", [("v", stitching.column(guarded_values(actions)))]),
         schedule=scope.function("schedule", [("start", samples[0]), ("interval", samples[1])]),
         start=_start(system, stitching),
         delayed=stitching.made("delayed", list(zip(("value", "delay", "longest"), delays, strict=True))),

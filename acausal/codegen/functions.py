@@ -27,6 +27,7 @@ from casadi import MX, Function, Sparsity
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
 from acausal.codegen.constants import function_of_parameters, parameter_function
 from acausal.codegen.discrete import DiscreteCode, discrete_code
+from acausal.codegen.lazy import guarded_values
 from acausal.codegen.program import Program
 from acausal.codegen.quick import Quick, quick
 from acausal.codegen.scope import Scope
@@ -229,7 +230,7 @@ def _sides(system: CausalSystem) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
 
 
 def _conditions(system: CausalSystem) -> tuple[Expr, ...]:
-    return tuple(assertion.condition for assertion in system.assertions)
+    return tuple(guarded_values([assertion.condition for assertion in system.assertions]))
 
 
 def _start_roots(system: CausalSystem, roots: tuple[Expr, ...], starts: tuple[Expr, ...]) -> Function:

@@ -210,6 +210,11 @@ def _only_if(function: Function) -> Function:
     return Function("guarded", [guarded], [choice(guarded[0], guarded[1:])], ["u"], ["y"], _CALLED)
 
 
+def is_evaluated_in_python(function: Function) -> bool:
+    """Whether a function calls one that has no C."""
+    return any(inner.class_name() == "CallbackInternal" for inner in function.find_functions())
+
+
 class _Evaluated(Callback):
     """Results that are evaluated in Python; their derivatives are zero."""
 

@@ -54,15 +54,20 @@ def translate_section(
     settled = {} if section.initial else _settling(translation, section.statements, env, outputs)
     final = _run(frame, section, settled)
     equations = [
-        Equation(symbol, final.get(symbol, frame.current[symbol]), output.span, instance.path, Origin.ALGORITHM)
+        Equation(symbol, final[symbol], output.span, instance.path, Origin.ALGORITHM)
         for symbol, output in zip(symbols, outputs, strict=True)
     ]
     discrete = [o.leaf.path for o in outputs if o.discrete and o.leaf.type == REAL and not section.initial]
     return SectionResult(tuple(equations), tuple(discrete), tuple(frame.terminations))
 
 
-def _run(frame: Frame, section: ast.AlgorithmSection, settled: Mapping[int, Sequence[Expr]]) -> dict[Expr, Expr]:
-    """Run the statements. What a variable has when it is settled is its value: those that follow name it."""
+def _run(
+    frame: Frame, section: ast.AlgorithmSection, settled: Mapping[int, Sequence[Expr]]
+) -> dict[Expr, Expr]:
+    """Run the statements; the values of the variables in the end.
+
+    What a variable has when it is settled is its value: the statements that follow name it.
+    """
     final: dict[Expr, Expr] = {}
     begin = 0
     for end, symbols in settled.items():
@@ -72,7 +77,7 @@ def _run(frame: Frame, section: ast.AlgorithmSection, settled: Mapping[int, Sequ
             frame.current[symbol] = symbol
         begin = end
     run_algorithm(frame, [replace(section, statements=section.statements[begin:])])
-    return final
+    return {**frame.current, **final}
 
 
 def _settling(

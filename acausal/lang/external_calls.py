@@ -16,7 +16,7 @@ from acausal.externals.routines import IMPURE_RANDOM, find_routine, routine_call
 from acausal.lang import ast
 from acausal.lang.arithmetic import as_scalar, as_value, type_error
 from acausal.lang.external_objects import APPLICATIONS, CONSTRUCTORS, Application, object_of
-from acausal.lang.flat import BOOLEAN, INTEGER, REAL, STRING, Assertion, ScalarType
+from acausal.lang.flat import BOOLEAN, INTEGER, REAL, Assertion, ScalarType
 from acausal.lang.function_frame import Frame
 from acausal.lang.function_kernels import parts_of
 from acausal.lang.scope import Scope

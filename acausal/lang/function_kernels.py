@@ -1,7 +1,8 @@
 """Functions that cannot be inlined, because their loops depend on run-time values: run as a unit at events.
 
-Such a function becomes a kernel with a part for each scalar it computes. Evaluating one runs the function's algorithm on
-constants, with the same bounds on its statements as at compile time, so that it cannot run without end.
+Such a function becomes a kernel with a part for each scalar it computes. Evaluating it runs the function's
+algorithm on constants, with the same bounds on its statements as at compile time, so that it cannot run
+without end.
 Between events, where integration needs derivatives, these functions are refused.
 """
 
@@ -100,7 +101,9 @@ def at_events(
     count = sum(len(value.items) for value in values)
     key = site_key(translation, scope)
     body = Body(scope.path, key, len(args), count, translation, scope, node, tuple(inputs))
-    return [*parts_of(body, tuple(args), scope, dict(zip([name for name, _ in outputs], values, strict=True)))]
+    return [
+        *parts_of(body, tuple(args), scope, dict(zip([name for name, _ in outputs], values, strict=True)))
+    ]
 
 
 def site_key(translation: Translation, scope: Scope) -> str:
@@ -108,14 +111,14 @@ def site_key(translation: Translation, scope: Scope) -> str:
     return f"function {scope.path} {translation.externals.number} {translation.externals.next_site()}"
 
 
-def parts_of(
-    whole: Whole, args: tuple[Expr, ...], scope: Scope, outputs: Mapping[str, Value]
-) -> list[Value]:
+def parts_of(whole: Whole, args: tuple[Expr, ...], scope: Scope, outputs: Mapping[str, Value]) -> list[Value]:
     """The results of a call, of the types and sizes of `outputs`."""
     parts: list[Part] = []
     for name, value in outputs.items():
         result = value.type.name if value.type in (REAL, INTEGER, BOOLEAN, STRING) else "Integer"
-        parts += [Part(whole, len(parts) + k, f"{scope.path}.{name}", result) for k in range(len(value.items))]
+        parts += [
+            Part(whole, len(parts) + k, f"{scope.path}.{name}", result) for k in range(len(value.items))
+        ]
     items = iter(ex.calls(parts, args))
     return [Value(v.type, v.shape, tuple(islice(items, len(v.items)))) for v in outputs.values()]
 

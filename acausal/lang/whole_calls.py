@@ -1,14 +1,14 @@
 """Calls with many arguments in when-clauses: one node, whose arguments all results share (11.2.7).
 
-Every result of such a function (the transform of a buffer, say) may depend on every argument: written out, each
-equation would hold what the function computes on the way. The function is therefore inlined once, for
+Every result of such a function (the transform of a buffer, say) may depend on every argument: written out,
+each equation would hold what the function computes on the way. The function is therefore inlined once, for
 arguments of its own, and becomes a kernel where that comes to more than `MOST_WRITTEN_OUT` operations.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from acausal.errors import AcausalError
 from acausal.lang.flat import Variability
@@ -41,7 +41,8 @@ def called_as_whole(
     name them.
     """
     actual: dict[Expr, Expr] = {}
-    opened = {name: _opened(translation, value, f"#{env.depth}.{name}", actual) for name, value in given.items()}
+    opening = _Opening(translation, actual, {})
+    opened = {name: opening.opened(value, f"#{env.depth}.{name}") for name, value in given.items()}
     if len(actual) < MANY:
         return None
     checks = len(translation.assertions)
@@ -62,34 +63,40 @@ def called_as_whole(
     captured = [leaf for leaf in ex.gather(roots, _CAPTURED) if leaf not in actual]
     formals = (*actual, *captured)
     whole = Formula(scope.path, site_key(translation, scope), formals, roots)
-    outputs = [e.name for e in scope.table.components.values() if e.clause.causality == "output" and not e.protected]
+    outputs = [
+        e.name for e in scope.table.components.values() if e.clause.causality == "output" and not e.protected
+    ]
     shown = dict(zip(outputs, values, strict=True))
     return [*parts_of(whole, (*actual.values(), *captured), scope, shown)]
 
 
-def _opened(translation: Translation, value: AnyValue, name: str, actual: dict[Expr, Expr]) -> AnyValue:
-    """An array with symbols instead of what changes with time; `actual` is what these stand for."""
-    if not isinstance(value, Value) or not value.shape or value.type.external:
-        return value
-    items: list[Expr] = []
-    for k, item in enumerate(value.items, start=1):
-        if _changes(translation, item):
-            items.append(ex.sym(f"{name}[{k}]"))
-            actual[items[-1]] = item
-        else:
-            items.append(item)
-    return Value(value.type, value.shape, tuple(items))
+@dataclass
+class _Opening:
+    """Puts symbols for the elements of arrays that change with time; `actual` is what these stand for."""
 
+    translation: Translation
+    actual: dict[Expr, Expr]
+    changing: dict[Expr, bool]
 
-def _changes(translation: Translation, item: Expr) -> bool:
-    """Whether an element is more than constants and parameters."""
-    if item.is_const:
-        return False
-    for leaf in ex.unknown_leaves(item):
-        found = translation.leaf(leaf.name) if leaf.op == "sym" else None
-        if found is None or found.prefixes.variability > Variability.PARAMETER:
-            return True
-    return False
+    def opened(self, value: AnyValue, name: str) -> AnyValue:
+        """An array with symbols; anything else as it is."""
+        if not isinstance(value, Value) or not value.shape or value.type.external:
+            return value
+        items: list[Expr] = []
+        for k, item in enumerate(value.items, start=1):
+            if ex.fold([item], self._changes, self.changing)[item]:
+                items.append(ex.sym(f"{name}[{k}]"))
+                self.actual[items[-1]] = item
+            else:
+                items.append(item)
+        return Value(value.type, value.shape, tuple(items))
+
+    def _changes(self, node: Expr, args: list[bool]) -> bool:
+        """Whether it is more than constants and parameters."""
+        if node.op != "sym":
+            return any(args) or node.op == "call"
+        found = self.translation.leaf(node.name)
+        return found is None or found.prefixes.variability > Variability.PARAMETER
 
 
 def _closed(value: AnyValue, actual: Mapping[Expr, Expr], memo: dict[Expr, Expr]) -> AnyValue:
@@ -104,7 +111,7 @@ def _closed(value: AnyValue, actual: Mapping[Expr, Expr], memo: dict[Expr, Expr]
 
 
 def _operations(roots: Iterable[Expr]) -> int:
-    """Distinct nodes that compute; calls that share their arguments count as one, as do constants and leaves."""
+    """Distinct nodes that compute; calls that share their arguments count as one."""
     seen: set[int] = set()
     stack = [*roots]
     count = 0

@@ -21,7 +21,7 @@ import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from hashlib import sha256
 from pathlib import Path
 from time import time
@@ -107,12 +107,21 @@ class Sources:
     link: tuple[str, ...] = ()
     light: tuple[str, ...] = ()
 
+    @cached_property
+    def keys(self) -> dict[str, str]:
+        """The library's names found so far, by the compiler's identity: the files are long."""
+        return {}
+
 
 def _key(sources: Sources, tool: Compiler) -> str:
+    known = sources.keys.get(tool.identity)
+    if known is not None:
+        return known
     text = [tool.identity, sources.level, *_FLAGS, *sources.link, *sources.light]
     for name, content in sources.files.items():
         text += [name, content]
-    return sha256("\0".join(text).encode()).hexdigest()
+    key = sources.keys[tool.identity] = sha256("\0".join(text).encode()).hexdigest()
+    return key
 
 
 def cached(sources: Sources) -> Path | None:

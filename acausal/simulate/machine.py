@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from acausal.codegen.c_text import c_text, event_functions, run_functions
 from acausal.codegen.functions import Code
+from acausal.codegen.kernels import is_evaluated_in_python
 from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
 from acausal.simulate.matrices import Vector
@@ -48,7 +49,8 @@ class Machine:
 
     def __init__(self, code: Code) -> None:
         self.functions = run_functions(code)
-        self._all = {**self.functions, **event_functions(code)}
+        everything = {**self.functions, **event_functions(code)}
+        self._all = {name: f for name, f in everything.items() if not is_evaluated_in_python(f)}
         self._sources: build.Sources | None = None
         self._begun = False
         self.library: ctypes.CDLL | None = None
@@ -123,7 +125,7 @@ def bound(
 ) -> tuple[FunctionStructure, _Kept]:
     """The function from and into these arrays, and what has to live as long as the structure does."""
     structure = FunctionStructure()
-    if library is None:
+    if library is None or is_evaluated_in_python(function):
         return structure, _bind_machine(structure, function, inputs, outputs)
     arg = np.zeros(function.sz_arg(), dtype=np.uintp)
     res = np.zeros(function.sz_res(), dtype=np.uintp)

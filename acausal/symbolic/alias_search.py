@@ -21,24 +21,20 @@ from acausal.symbolic.expressions.expr import (
     TIME,
     ZERO,
     Expr,
-    Kind,
     const,
     der,
     div,
-    gather,
     neg,
     postorder,
     sub,
     sym,
-    symbols,
 )
 from acausal.symbolic.expressions.linear import linear_coefficient
 from acausal.symbolic.expressions.operators import KNOWN_AT_EVENTS
 from acausal.symbolic.expressions.simplify import split_factor
 from acausal.symbolic.leaves import Chains, Rewriter, all_leaves, is_input
+from acausal.symbolic.occurrences import Occurrences
 from acausal.symbolic.parameters import ParameterValues
-
-_PAST = Kind("past", frozenset({"pre", "delay", "derived"}), lambda node: node.args)
 
 
 def plain_pair(left: Expr, right: Expr) -> tuple[str, str, int] | None:
@@ -87,8 +83,8 @@ class AliasSearch:
         self._position = {v.name: i for i, v in enumerate(flat.variables)}
         self._unknown = {v.name: v for v in flat.variables if v.is_unknown and not is_input(v)}
         self._ranks: dict[str, tuple[object, ...]] = {}
-        self._leaves: list[tuple[Expr, ...]] = [()] * len(flat.equations)
-        self._occurrences: dict[str, list[int]] = {}
+        self._occurrences = Occurrences(len(flat.equations), self._unknown, self.differentiated)
+        self._leaves = self._occurrences.leaves
         self._candidates: dict[int, None] = {}
         """Equations that look like v = der(x)."""
 
@@ -290,9 +286,10 @@ class AliasSearch:
         self._restore_named(levels)
         equations: dict[int, None] = {}
         for name, level in levels.items():
-            for i in self._occurrences.get(name, ()):
+            for i in self._occurrences.of(name):
                 equations[i] = None
-                if level and any(leaf.op == "der" and base_name(leaf) == name for leaf in self._leaves[i]):
+                leaves = self._occurrences.all_leaves(i, (self.left[i], self.right[i])) if level else ()
+                if any(leaf.op == "der" and base_name(leaf) == name for leaf in leaves):
                     self.level[i] = max(self.level[i], level)
         return self._rewrite(dict.fromkeys(sorted(equations)), values)
 
@@ -308,7 +305,7 @@ class AliasSearch:
                 self._leaves[i] = (sym(v), der(sym(x)))
                 self.live[i] = True
                 for occurring in (x, v):
-                    self._occurrences.setdefault(occurring, []).append(i)
+                    self._occurrences.add(occurring, i)
 
     def _rewrite(self, equations: Iterable[int], values: dict[Expr, Expr]) -> list[int]:
         """Rewrite equations with `values` and the named derivatives; those still live."""
@@ -319,7 +316,7 @@ class AliasSearch:
                 continue
             flat = self.flat.equations[i]
             self.left[i], self.right[i] = self.rewritten(rewrite, self.left[i], self.right[i], flat)
-            self._update_leaves(i)
+            self._occurrences.update(i, (self.left[i], self.right[i]))
             changed.append(i)
         self.has_homotopy |= rewrite.met_homotopy
         return changed
@@ -330,29 +327,6 @@ class AliasSearch:
             return rewrite(left), rewrite(right)
         except NotDifferentiable as problem:
             raise not_differentiable(problem, flat) from None
-
-    def _update_leaves(self, i: int) -> None:
-        before = {base_name(leaf) for leaf in self._leaves[i]}
-        found: list[Expr] = []
-        for leaf in all_leaves([self.left[i], self.right[i]]):
-            name = base_name(leaf)
-            if leaf.op == "pre" or name not in self._unknown:
-                continue
-            found.append(leaf)
-            if leaf.op == "der":
-                self.differentiated[name] = None
-            if name not in before:
-                before.add(name)
-                self._occurrences.setdefault(name, []).append(i)
-        self._leaves[i] = tuple(found)
-        for name in self._past_names(i):
-            if name not in before:
-                self._occurrences.setdefault(name, []).append(i)
-
-    def _past_names(self, i: int) -> Iterable[str]:
-        """Variables of which the equation uses past values, or that only its derivative holds."""
-        past = gather((self.left[i], self.right[i]), _PAST)
-        return [name for name in symbols(past) if name in self._unknown] if past else ()
 
     def _name_derivatives(self) -> list[int]:
         """Let v be the derivative of x where an equation v = der(x) says so; the equations that changed."""
@@ -365,7 +339,7 @@ class AliasSearch:
             self.named[x], self.named_by[x], self._taken[v] = v, i, x
             self._chain_classes.link(Link(x, v, 1, i), 0)
             self.live[i] = False
-            equations.update(dict.fromkeys(self._occurrences[x]))
+            equations.update(dict.fromkeys(self._occurrences.of(x)))
         self._candidates = {}
         return self._rewrite(sorted(equations), {})
 

@@ -158,7 +158,7 @@ class DiscretePart:
     initial: tuple[Assignment, ...] = ()
     """The same at the start, where `pre(v)` of every discrete variable in use is unknown too."""
 
-    @property
+    @cached_property
     def unknowns(self) -> tuple[Expr, ...]:
         """What `assignments` determine."""
         return tuple(assignment.unknown for assignment in self.assignments)
@@ -168,7 +168,7 @@ class DiscretePart:
         """The equations of the discrete variables."""
         return tuple(a.equation for a in self.assignments if a.unknown.op == "sym")
 
-    @property
+    @cached_property
     def frozen(self) -> tuple[Expr, ...]:
         """Everything that is constant between events, apart from modes, in the order of the vector `d`."""
         return self.unknowns + self.memory + self.samples + self.phases

@@ -130,13 +130,14 @@ def all_leaves(roots: Iterable[Expr]) -> tuple[Expr, ...]:
     return gather(roots, _ALL)
 
 
-def _present(node: Expr) -> tuple[Expr, ...]:
-    return () if node.op == "delay" else parts(node)  # a delay is known from the past
+def present(node: Expr) -> tuple[Expr, ...]:
+    """The arguments that an equation uses as they are now: a delay is known from the past."""
+    return () if node.op == "delay" else parts(node)
 
 
 _LEAVES = frozenset({"sym", "der", "pre"})
 _VALUE = Kind("value leaves", _LEAVES, _held)
-_ALL = Kind("all leaves", _LEAVES, _present)
+_ALL = Kind("all leaves", _LEAVES, present)
 _FEW = 4
 """How many leaves are noted at every node above them."""
 
@@ -177,13 +178,14 @@ class Rewriter:
 
     def __init__(self, values: Mapping[Expr, Expr], chains: Chains, lookup: Lookup) -> None:
         self._memo: dict[Expr, Expr] = dict(values)
+        self._shared: dict[int, list[Expr]] = {}
         self._chains = chains
         self._derivative = TimeDerivative(chains.derivative, lookup)
         self.met_homotopy = False
 
     def __call__(self, root: Expr) -> Expr:
         """The rewritten expression. Raises `NotDifferentiable`."""
-        return fold([root], self._visit, self._memo)[root]
+        return fold([root], self._visit, self._memo, self._shared)[root]
 
     def _visit(self, node: Expr, args: list[Expr]) -> Expr:
         if node.op == "der":

@@ -12,6 +12,7 @@ from acausal.symbolic.expressions.linear import linear_coefficient, slopes
 from acausal.symbolic.expressions.operators import OPERATORS
 from acausal.symbolic.leaves import all_leaves
 from acausal.symbolic.parameters import ParameterValues
+from acausal.symbolic.when_clauses import is_assignment
 
 
 class Solvability(IntEnum):
@@ -53,6 +54,8 @@ class Profiler:
     def _analyse(self, equation: CausalEquation) -> Profile:
         left, right = equation.left, equation.right
         leaves = all_leaves([left, right])
+        if is_assignment(left, right):
+            return Profile(equation, {left: Solvability.SAFE}, leaves)
         if not self.is_numeric(left) or not self.is_numeric(right):
             return Profile(equation, _direct(left, right), leaves)
         found = slopes(sub(left, right))
@@ -98,6 +101,8 @@ def _direct(left: Expr, right: Expr) -> dict[Expr, Solvability]:
 def solve(equation: CausalEquation, leaf: Expr) -> Assignment | None:
     """The equation solved for `leaf` if it is linear or invertible in it, else None. O(nodes)."""
     left, right = equation.left, equation.right
+    if left is leaf and is_assignment(left, right):
+        return Assignment(leaf, right, equation)
     for one, other in ((left, right), (right, left)):
         if one is leaf and leaf not in all_leaves([other]):
             return Assignment(leaf, other, equation)

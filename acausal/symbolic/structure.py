@@ -9,6 +9,7 @@ from acausal.lang.flat import Equation, Places, Variable
 from acausal.symbolic.expressions.expr import Expr, symbols
 from acausal.symbolic.graphs.types import Var
 from acausal.symbolic.leaves import PresentLeaves
+from acausal.symbolic.when_clauses import is_assignment
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ def structure(equations: Sequence[tuple[Equation, Expr, Expr]], unknowns: tuple[
     leaves = PresentLeaves()
     for _, left, right in equations:
         names: dict[str, None] = {}
-        for leaf in leaves([left, right]):
+        for leaf in [left] if is_assignment(left, right) else leaves([left, right]):
             if leaf.op == "sym":
                 names[leaf.name] = None
             else:

@@ -29,7 +29,7 @@ from acausal.symbolic.causal import Check, Reset, Stop
 from acausal.symbolic.expressions import expr as ex
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.expressions.operators import EVENT_FUNCTIONS
-from acausal.symbolic.leaves import is_moving
+from acausal.symbolic.leaves import is_moving, value_leaves
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,20 @@ def is_momentary(condition: Expr) -> bool:
     if condition.op == "and":
         edges = any(part.op == "not" and _is_past(part.args[0], condition.args) for part in condition.args)
         return edges or any(is_momentary(part) for part in condition.args)
-    return condition.op in ("initial", "terminal", "sample")
+    return condition.op in ("initial", "terminal", "sample", "trigger")
+
+
+def is_assignment(left: Expr, right: Expr) -> bool:
+    """Whether `left = right` is what a when-clause makes of a variable: no other is determined by it.
+
+    `v = if fires(c) then ... else pre(v)`, where the new value does not depend on v itself.
+    """
+    if left.op != "sym" or right.op != "if" or not is_momentary(right.args[0]):
+        return False
+    last = right
+    while last.op == "if" and is_momentary(last.args[0]):
+        last = last.args[2]
+    return last.op == "pre" and last.args[0] is left and left not in value_leaves([right])
 
 
 def _is_past(node: Expr, parts: Sequence[Expr]) -> bool:
@@ -155,11 +168,12 @@ class _Rewriter:
 
     def __init__(self, variables: Mapping[str, Variable]) -> None:
         self._memo: dict[Expr, Expr] = {}
+        self._shared: dict[int, list[Expr]] = {}
         self._moving: dict[Expr, bool] = {}
         self._variables = variables
 
     def __call__(self, root: Expr) -> Expr:
-        return ex.fold([root], self._written_out, self._memo)[root]
+        return ex.fold([root], self._written_out, self._memo, self._shared)[root]
 
     def _written_out(self, node: Expr, args: list[Expr]) -> Expr:
         if node.op == "trigger":

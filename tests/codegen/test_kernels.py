@@ -2,17 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import casadi as ca
 import numpy as np
 import pytest
 from casadi import SX, Function
 
-from acausal.codegen.casadi_expressions import jacobian
-from acausal.codegen.kernels import MOST_INLINE, kernel_sx
+from acausal.codegen.casadi_expressions import jacobian, to_casadi
+from acausal.codegen.kernels import MOST_INLINE, is_evaluated_in_python, kernel_sx
+from acausal.codegen.lazy import guarded_values
 from acausal.errors import UnsupportedProblem
-from acausal.symbolic.expressions.kernel import Kernel
+from acausal.symbolic.expressions.expr import (
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    call,
+    div,
+    if_then_else,
+    logical_and,
+    logical_not,
+    logical_or,
+    mul,
+    relation,
+    sym,
+)
+from acausal.symbolic.expressions.kernel import Kernel, Part, Whole
+from acausal.symbolic.expressions.kernels.formula import Formula
 from acausal.symbolic.expressions.kernels.patches import Patches, patches
 from acausal.symbolic.expressions.kernels.piecewise import Piecewise, piecewise
+from acausal.symbolic.expressions.kernels.texts import TextOf
 from acausal.symbolic.expressions.node import Constant
 
 SIZES = [1, 2, 7, MOST_INLINE + 1, 60]
@@ -109,31 +129,33 @@ def test_functions_of_python_are_called_once_for_all_results_and_have_no_derivat
     assert whole.calls == 1
 
 
-def test_functions_are_evaluated_where_their_values_are_used() -> None:
-    y, z = sym("y"), sym("z")
-    square = Formula("square", "square", (y,), (mul(y, y), div(ONE, y)))
-    for whole in (Counter(), square):
-        inside = call(Part(whole, 0, "f", "Real"), sym("x"))
-        value = if_then_else(relation("gt", sym("x"), ZERO), add(inside, z), z)
-        equation = CausalEquation(y, value, Equation(y, value, SPAN))
-        (assignment,) = guarded([Assignment(y, value, equation)])
-        x, w = SX.sym("x"), SX.sym("z")
-        run = Function("run", [x, w], to_casadi([assignment.value], {sym("x"): x, z: w}))
-        assert float(run(0.0, 3.0)) == 3
-        assert not isinstance(whole, Counter) or whole.calls == 0
-        assert float(run(2.0, 3.0)) == 3 + (20 if isinstance(whole, Counter) else 4)
+SQUARE = Formula("square", "square", (sym("y"),), (mul(sym("y"), sym("y")), div(ONE, sym("y"))))
 
 
-def test_formulas_become_c() -> None:
-    y, x = sym("y"), SX.sym("x")
-    square = Formula("square", "square", (y,), (mul(y, y),))
-    run = Function("run", [x], to_casadi([call(Part(square, 0, "f", "Real"), sym("x"))], {sym("x"): x}))
-    generator = ca.CodeGenerator("run.c")
-    generator.add(run)
-    assert "run_formula" not in generator.dump()
-    assert float(run(3.0)) == 9
+@pytest.mark.parametrize("formula", [True, False])
+def test_functions_are_evaluated_where_their_values_are_used(formula: bool) -> None:
+    x, z, whole = sym("x"), sym("z"), Counter()
+    inside, positive = _part(SQUARE if formula else whole, 0), relation("gt", x, ZERO)
+    values = [
+        if_then_else(positive, add(inside, z), z),
+        logical_or(relation("gt", inside, ONE), logical_not(positive)),
+        logical_and(positive, relation("gt", inside, ONE)),
+    ]
+    of = {x: SX.sym("x"), z: SX.sym("z")}
+    run = Function("run", list(of.values()), to_casadi(guarded_values(values), of))
+    assert [float(v) for v in run(0.0, 3.0)] == [3, 1, 0]
+    assert whole.calls == 0
+    assert [float(v) for v in run(2.0, 3.0)] == [7 if formula else 23, 1, 1]
+    assert whole.calls == (0 if formula else 1)
+
+
+def test_formulas_have_c_and_functions_of_python_have_none() -> None:
+    x = SX.sym("x")
+    for whole, python in ((SQUARE, False), (Counter(), True)):
+        (value,) = to_casadi([_part(whole, 0)], {sym("x"): x})
+        assert is_evaluated_in_python(Function("run", [x], [value])) == python
 
 
 def test_texts_have_no_numeric_code() -> None:
     with pytest.raises(UnsupportedProblem):
-        kernel_sx(TEXT, [SX.sym("x")])
+        kernel_sx(TextOf("d", 0, True, (), "text"), [SX.sym("x")])

@@ -242,8 +242,8 @@ def function(name: str, *args: Expr) -> Expr:
 
 def apply(kernel: Kernel, *args: Expr) -> Expr:
     """The call of a kernel, folded when all arguments are constants."""
-    values = [arg.value for arg in args if arg.op == "const" and arg.value is not None]
-    if args and len(values) == len(args):
+    if args and all(arg.op == "const" for arg in args):
+        values = [arg.value for arg in args if arg.value is not None]
         plain = [value.index if isinstance(value, EnumValue) else value for value in values]
         try:
             return const(kernel.evaluate(*plain))

@@ -1,4 +1,4 @@
-"""A function of many arguments whose results are expressions in them: kept as a unit instead of being inlined.
+"""A function of many arguments whose results are expressions in them, kept as a unit.
 
 What a when-clause computes from a whole array (the transform of a buffer, say) depends on every element;
 written out, each of its results would be an expression of its own size in every equation.
