@@ -242,7 +242,7 @@ class _Evaluated(Callback):
     def _values(self, args: tuple[float, ...]) -> list[float]:
         try:
             values = self._whole.values(args)
-        except (ArithmeticError, ValueError):
+        except Exception:  # else CasADi prints all arguments; variables that are not numbers are named
             return [float("nan")] * self._whole.count
         return [float(value) if isinstance(value, (int, float)) else float("nan") for value in values]
 
