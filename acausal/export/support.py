@@ -9,6 +9,8 @@ from acausal.errors import AcausalError, Diagnostic, Span, UnsupportedProblem
 from acausal.simulate.messages import leaf_name, some
 from acausal.symbolic.causal import Block, CausalSystem
 from acausal.symbolic.expressions.expr import Expr, postorder
+from acausal.symbolic.expressions.kernel import Kernel, Part
+from acausal.symbolic.expressions.kernels.formula import Formula
 from acausal.symbolic.expressions.kernels.patches import Patches
 from acausal.symbolic.expressions.kernels.piecewise import Piecewise
 
@@ -63,14 +65,23 @@ def _kernels(system: CausalSystem) -> Iterator[Diagnostic]:
     seen: set[str] = set()
     for span, roots in _sides(system):
         for node in postorder(roots):
-            if node.op != "call" or isinstance(node.kernel, Piecewise | Patches):
+            if node.op != "call":
                 continue
-            if node.kernel.result == "String" or node.kernel.key in seen:
+            if node.kernel.result == "String" or node.kernel.key in seen or _has_code(node.kernel):
                 continue
             seen.add(node.kernel.key)
             message = f"`{node.kernel.name}` is evaluated in Python and cannot be exported"
             hint = "replace the function by equations, or run the model inside Python"
             yield Diagnostic("export.kernel", message, span, (node.kernel.name,), hint)
+
+
+def _has_code(kernel: Kernel) -> bool:
+    """Whether a function that is kept as a unit consists of expressions alone."""
+    if isinstance(kernel, Piecewise | Patches):
+        return True
+    if not isinstance(kernel, Part) or not isinstance(kernel.whole, Formula):
+        return False
+    return all(_has_code(node.kernel) for node in postorder(kernel.whole.results) if node.op == "call")
 
 
 def _states(system: CausalSystem) -> Iterator[Diagnostic]:
