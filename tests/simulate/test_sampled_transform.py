@@ -7,6 +7,7 @@ import pytest
 
 import acausal
 from acausal.errors import SimulationProblem
+from acausal.export.support import check_c
 from acausal.symbolic.expressions.expr import postorder
 
 MODEL = """
@@ -91,5 +92,6 @@ def test_expressions_and_code_grow_with_the_number_of_samples() -> None:
 
 def _sizes(n: int) -> tuple[int, int]:
     code = acausal.loads(MODEL).compile({"n": n}).code
+    check_c(code)
     nodes = postorder([a.value for a in code.system.discrete.assignments])
     return len(list(nodes)), code.discrete.update.n_instructions()

@@ -19,7 +19,7 @@ int csv_line(FILE *file, char *line, int size)
         while (length > 0 && (line[length - 1] == '\n' || line[length - 1] == '\r')) {
             line[--length] = '\0';
         }
-        if (first && strncmp(line, "\357\273\277", 3) == 0) { /* the mark that some programs put before UTF-8 */
+        if (first && length > 2 && strncmp(line, "\357\273\277", 3) == 0) { /* the mark that some programs put before UTF-8 */
             length -= 3;
             memmove(line, line + 3, length + 1);
         }
