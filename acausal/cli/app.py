@@ -145,6 +145,9 @@ def explain(
         Path | None, typer.Option(metavar="FILE", help="Draw the incidence as PNG, SVG or PDF.")
     ] = None,
     html: Annotated[Path | None, typer.Option(metavar="FILE", help="Write one page with all of it.")] = None,
+    initial: Annotated[
+        bool, typer.Option("--initial", help="Solve the initial problem; say what starts where.")
+    ] = False,
     class_: _Class = None,
     path: _Path = None,
     json: _Json = False,
@@ -157,7 +160,7 @@ def explain(
     from acausal.cli.explanation import Wish, run_explain
 
     target = Target(model, class_, tuple(path or ()), tuple(parameter or ()), tuple(only or ()))
-    run_explain(target, Wish(block, latex, all_, plot, html), as_json=json)
+    run_explain(target, Wish(block, latex, all_, plot, html, initial), as_json=json)
 
 
 @app.command(short_help="Say which states hold the solver back.")

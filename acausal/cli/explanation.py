@@ -7,7 +7,8 @@ from pathlib import Path
 
 from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_text
-from acausal.errors import UsageProblem, fail
+from acausal.codegen.functions import Code
+from acausal.errors import AcausalError, UsageProblem, fail
 from acausal.explain.explanation import Explanation, explain
 
 _PLOTS = (".png", ".svg", ".pdf")
@@ -22,12 +23,22 @@ class Wish:
     everything: bool
     plot: Path | None
     html: Path | None
+    initial: bool = False
 
 
 def run_explain(target: Target, wish: Wish, *, as_json: bool) -> None:
     """Compile as far as the causal system, write the files, print. What cannot work is refused first."""
     check(wish)
-    explanation = explain(target.run("causal"))
+    try:
+        compilation = target.run("code" if wish.initial else "causal")
+    except AcausalError:
+        if not as_json:
+            _show_singular(target, wish)
+        raise
+    explanation = explain(compilation)
+    if wish.initial and compilation.code is not None:
+        _initial(explanation, compilation.code, everything=wish.everything, as_json=as_json)
+        return
     text = _json(explanation, wish) if as_json else _text(explanation, wish)
     write(explanation, wish)
     if isinstance(text, str):
@@ -40,10 +51,43 @@ def run_explain(target: Target, wish: Wish, *, as_json: bool) -> None:
         print_json(text)
 
 
+def _show_singular(target: Target, wish: Wish) -> None:
+    """Of a model that does not compile, what can be seen of its structure, if that is what is wrong."""
+    from acausal.explain.singular import singular_text
+
+    try:
+        flat = target.run("flat").flat
+    except AcausalError:
+        return
+    text = singular_text(flat, everything=wish.everything) if flat is not None else ""
+    if text:
+        print_text(text)
+        print_text("")
+
+
+def _initial(explanation: Explanation, code: Code, *, everything: bool, as_json: bool) -> None:
+    """`--initial`: the conditions, and the point that they lead to."""
+    from acausal.explain.start import initial_report
+    from acausal.explain.text import initial_text
+
+    if not as_json:
+        print_text(initial_text(explanation))
+        print_text("")
+    report = initial_report(code)
+    print_diagnostics(report.warnings)
+    if as_json:
+        print_json(explanation.to_json() | {"initial_point": report.to_json()})
+    else:
+        print_text(report.text(everything=everything))
+
+
 def check(wish: Wish) -> None:
     """Raises `UsageProblem` for settings that do not fit."""
     if wish.latex and wish.block is None:
         raise fail(UsageProblem, "usage.latex", "--latex is about one block", hint="add --block NUMBER")
+    if wish.initial and (wish.block is not None or wish.plot is not None or wish.html is not None):
+        hint = "leave --block, --plot and --html out"
+        raise fail(UsageProblem, "usage.initial", "--initial prints a report of its own", hint=hint)
     if wish.plot is not None and wish.plot.suffix.lower() not in _PLOTS:
         problem = f"`{wish.plot}` cannot be drawn"
         raise fail(UsageProblem, "usage.plot", problem, hint=f"end the name in {', '.join(_PLOTS)}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from acausal.explain.explanation import Explanation
+from acausal.explain.folding import folded
 from acausal.explain.words import (
     by_whom,
     conditions_text,
@@ -60,8 +61,11 @@ def _section(
     title: str, what: str, lines: Sequence[str], most: int | None, head: Sequence[str] = ()
 ) -> tuple[str, Sequence[str], str | None]:
     """A title that counts, the first lines, and how many are left out."""
-    more = None if most is None or len(lines) <= most else f"and {len(lines) - most} more; --all shows them"
+    more = None
     counted_title = f"{title}: {counted(len(lines), what)}" if lines or head else title
+    if most is not None:
+        lines = folded(lines)
+        more = None if len(lines) <= most else f"and {len(lines) - most} more; --all shows them"
     return counted_title, [*head, *lines[: most if most is not None else len(lines)]], more
 
 
@@ -178,7 +182,7 @@ def _initial_counts(explanation: Explanation) -> list[str]:
     kinds = ", ".join(f"{sum(b.kind is kind for b in initial.blocks)} {kind.value}" for kind in BlockKind)
     return [
         f"{counted(len(initial.blocks), 'block')}: {kinds}",
-        conditions_text(initial),
+        conditions_text(explanation.system),
         *[surplus_text(conflict) for conflict in initial.conflicts][:MOST_ROWS],
         *(
             [f"start values not used, because the rest determines these: {_unused(initial)}"]
@@ -189,6 +193,11 @@ def _initial_counts(explanation: Explanation) -> list[str]:
             :MOST_ROWS
         ],
     ]
+
+
+def initial_text(explanation: Explanation) -> str:
+    """The title and the section on the initial problem."""
+    return "\n".join([_title(explanation), *_printed("Initial problem", _initial_counts(explanation), None)])
 
 
 def _unused(initial: InitialProblem) -> str:

@@ -13,12 +13,12 @@ from acausal.symbolic.causal import (
     CausalEquation,
     CausalSystem,
     InitialConflict,
-    InitialProblem,
     InitialValue,
     StateMonitor,
 )
 from acausal.symbolic.describe import condition_text, equation_text, leaf_texts, place
 from acausal.symbolic.expressions.text import to_text
+from acausal.symbolic.leaves import is_moving
 
 MOST_CHARACTERS = 2_000
 """Longer equations are cut for people to read; JSON has them whole."""
@@ -87,9 +87,11 @@ def use(value: InitialValue, system: CausalSystem) -> str:
     return meaning if given else f"{meaning}; nobody gave it"
 
 
-def conditions_text(initial: InitialProblem) -> str:
-    """How many conditions the start needs, and where they come from."""
-    assumed = sum(v.reason == "assumed" for v in initial.values)
+def conditions_text(system: CausalSystem) -> str:
+    """How many conditions the start needs, and where they come from, without those of discrete variables."""
+    initial = system.initial
+    discrete = {v.name for v in system.flat.unknowns if not is_moving(v)}
+    assumed = sum(v.reason == "assumed" and v.name not in discrete for v in initial.values)
     parts = [
         counted(initial.equations, "initial equation"),
         counted(initial.needed - initial.equations - assumed, "fixed start value"),

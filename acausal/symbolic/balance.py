@@ -31,10 +31,15 @@ def check_balance(flat: FlatModel, *, as_component: bool = False) -> None:
     BalanceProblem `balance.too-many-equations`, `balance.too-few-equations` or
     `balance.structurally-singular`.
     """
+    system = flat_structure(flat)
+    require_complete(_opened(system) if as_component else system, flat.name)
+
+
+def flat_structure(flat: FlatModel) -> Structure:
+    """Which equation of a flat model can determine which unknown; O(nodes)."""
     rows = [(e, e.left, e.right) for e in flat.equations]
     rows += [(e, e.left, e.left) for when in flat.whens for e in determining_equations(when)]
-    system = replace(structure(rows, determined(flat)), open_inputs=flat.open_inputs, places=flat.places)
-    require_complete(_opened(system) if as_component else system, flat.name)
+    return replace(structure(rows, determined(flat)), open_inputs=flat.open_inputs, places=flat.places)
 
 
 def _opened(system: Structure) -> Structure:
