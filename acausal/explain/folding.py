@@ -25,15 +25,20 @@ def _told(group: Sequence[str]) -> str:
     first = group[0]
     if len(group) == 1:
         return first
-    numbers = [_INDEX.findall(line) for line in group]
-    varying = [i for i, column in enumerate(zip(*numbers, strict=True)) if len(set(column)) > 1]
-    columns = {tuple(row[i] for row in numbers) for i in varying}
-    run = next(iter(columns)) if len(columns) == 1 else ()
-    if run and all(text.isdecimal() for text in run) and _is_range([int(text) for text in run]):
-        parts = iter(range(len(numbers[0])))
-        return _INDEX.sub(lambda found: f"{run[0]}:{run[-1]}" if next(parts) in varying else found[0], first)
-    return f"{first}  (and {len(group) - 1} more of other indices)"
+    columns = list(zip(*[_INDEX.findall(line) for line in group], strict=True))
+    ranges = [_range(column) for column in columns]
+    if None in ranges:
+        return f"{first}  (and {len(group) - 1} more of other indices)"
+    texts = iter(ranges)
+    return _INDEX.sub(lambda _: next(texts) or "", first)
 
 
-def _is_range(values: Sequence[int]) -> bool:
-    return all(after == before + 1 for before, after in pairwise(values))
+def _range(column: Sequence[str]) -> str | None:
+    """`3` where all are 3, `1:8` for numbers without gaps; None for others."""
+    if all(text == column[0] for text in column):
+        return column[0]
+    if not all(text.isdecimal() for text in column):
+        return None
+    values = [int(text) for text in column]
+    steady = all(after == before + 1 for before, after in pairwise(values))
+    return f"{column[0]}:{column[-1]}" if steady else None

@@ -15,7 +15,10 @@ from acausal.symbolic.expressions.text import to_text
 LIMIT = 200
 """Rows of a notebook's table that are shown before it says how many more there are."""
 
-_CELL, _PAGE = Paper(LIMIT, linked=False), Paper(None, linked=True)
+PAGE_LIMIT = 10_000
+"""Rows of a table of the page, so that a browser can still open it for a system of 100,000 equations."""
+
+_CELL, _PAGE = Paper(LIMIT, linked=False), Paper(PAGE_LIMIT, linked=True)
 
 
 def html_fragment(explanation: Explanation) -> str:
@@ -24,7 +27,10 @@ def html_fragment(explanation: Explanation) -> str:
 
 
 def html_page(explanation: Explanation) -> str:
-    """Everything on one page, tables whole, the incidence drawn. Browsers search in folded sections too."""
+    """Everything on one page, tables up to `PAGE_LIMIT` rows, the incidence drawn.
+
+    Browsers search in folded sections too.
+    """
     from acausal.explain.plot import incidence_svg
 
     drawing = f"<figure>{incidence_svg(explanation)}</figure>" if explanation.system.blocks else ""

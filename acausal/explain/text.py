@@ -107,9 +107,8 @@ def _left_out(explanation: Explanation) -> list[str]:
 
 def _evaluated(explanation: Explanation, everything: bool) -> list[str]:
     names = explanation.system.evaluated
-    most = None if everything else MOST_NAMES
     text = "constants, final and structural parameters whose values stand in the equations"
-    return [f"{text}: {cut(names, most)}"] if names else []
+    return [f"{text}: {', '.join(names) if everything else cut(folded(names), MOST_NAMES)}"] if names else []
 
 
 def _aliases(explanation: Explanation) -> list[str]:
@@ -201,7 +200,7 @@ def initial_text(explanation: Explanation) -> str:
 
 
 def _unused(initial: InitialProblem) -> str:
-    return cut(initial.unused, MOST_NAMES)
+    return cut(folded(initial.unused), MOST_NAMES)
 
 
 def _starts(explanation: Explanation) -> list[str]:

@@ -58,6 +58,7 @@ def test_its_text_folds_what_is_alike(report: InitialReport) -> None:
 def test_lines_that_differ_in_indices_only() -> None:
     assert folded(["a[1].x = b[1]", "c", "a[2].x = b[2]"]) == ["a[1:2].x = b[1:2]", "c"]
     assert folded(["a[1].x[2]", "a[2].x[2]"]) == ["a[1:2].x[2]"]
+    assert folded(["a[2] = b[1]", "a[3] = b[2]"]) == ["a[2:3] = b[1:2]"]
     assert folded(["a[1]", "a[3]"]) == ["a[1]  (and 1 more of other indices)"]
     assert folded(["a[1, 2]", "a[1, 3]"]) == ["a[1, 2]  (and 1 more of other indices)"]
     assert folded(["a[1]", "a[1].b"]) == ["a[1]", "a[1].b"]
