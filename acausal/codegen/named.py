@@ -17,6 +17,7 @@ from acausal.codegen.casadi_expressions import FORWARD
 from acausal.codegen.functions import Code, state_leaves
 from acausal.codegen.implicit import implicit_form
 from acausal.codegen.program import Program
+from acausal.codegen.scope import column, split
 from acausal.codegen.solvers import Nominals
 from acausal.codegen.starts import open_starts, start_leaf
 from acausal.codegen.stitch import Goal, Stitching
@@ -74,9 +75,10 @@ def _dae(code: Code) -> Function:
     form = implicit_form(code)
     symbols = _symbols(code)
     both = form.call([symbols[given] for given in form.name_in()], True, False)[0]
-    size = len(code.system.states)
+    size, values = len(code.system.states), split(both)
     inputs = [symbols[given] for given in SIGNATURE]
-    return Function("dae", inputs, [both[:size], both[size:]], list(SIGNATURE), ["ode", "alg"], FORWARD)
+    outputs = [column(values[:size]), column(values[size:])]
+    return Function("dae", inputs, outputs, list(SIGNATURE), ["ode", "alg"], FORWARD)
 
 
 def _truth(code: Code, root: SX) -> SX:
@@ -110,7 +112,8 @@ def _update(code: Code) -> Function:
     known, kept = len(part.unknowns), len(part.unknowns) + len(part.memory)
     given = [symbols[name] for name in names]
     root = code.events.call(given, True, False)[0]
-    new = ca.vertcat(code.discrete.update.call(given, True, False)[0], d[known:])
+    held = split(d)  # a slice of one entry beyond its end would have no rows
+    new = column([*split(code.discrete.update.call(given, True, False)[0]), *held[known:]])
     then = [new if name == "d" else symbols[name] for name in names]
     memory = code.discrete.memory.call(then, True, False)[0]
     actions = code.discrete.actions.call(then, True, False)[0]
@@ -121,7 +124,7 @@ def _update(code: Code) -> Function:
     outputs = [
         _truth(code, root),
         new,
-        ca.vertcat(new[:known], memory, d[kept:]),
+        column([*split(new)[:known], *split(memory), *held[kept:]]),
         ca.vertcat(*after) if after else x,
     ]
     inputs = [symbols[name] for name in SIGNATURE]

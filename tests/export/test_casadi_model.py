@@ -123,6 +123,20 @@ def test_one_pass_over_an_event() -> None:
     assert again["x_new"].full().ravel().tolist() == [-1e-9, -3.0]
 
 
+def test_pass_over_an_event_with_one_value_that_is_frozen() -> None:
+    source = "when time > 0.5 then n = 2.0; end when;"
+    functions = compiled(f"model One discrete Real n(start = 1); equation {source} end One;").to_casadi()
+    assert functions["update"].size1_in("d") == len(functions.names("d"))
+    relation = (
+        "model Whole Real x(start = 3.5, fixed = true), y; equation der(x) = -1; y = integer(x); end Whole;"
+    )
+    functions = compiled(relation).to_casadi()
+    given = dict(functions.start)
+    del given["s"]
+    assert functions.names("d") == ("integer(x)",)
+    assert functions.update(**given)["d_new"].full().ravel().tolist() == [3.0]
+
+
 def test_saved_and_read(functions: CasadiModel, tmp_path: Path) -> None:
     for name in ("a.casadi", "b.casadi"):
         functions.save(tmp_path / name)
