@@ -127,10 +127,8 @@ def test_pass_over_an_event_with_one_value_that_is_frozen() -> None:
     source = "when time > 0.5 then n = 2.0; end when;"
     functions = compiled(f"model One discrete Real n(start = 1); equation {source} end One;").to_casadi()
     assert functions["update"].size1_in("d") == len(functions.names("d"))
-    relation = (
-        "model Whole Real x(start = 3.5, fixed = true), y; equation der(x) = -1; y = integer(x); end Whole;"
-    )
-    functions = compiled(relation).to_casadi()
+    falling = "Real x(start = 3.5, fixed = true), y; equation der(x) = -1; y = integer(x);"
+    functions = compiled(f"model Whole {falling} end Whole;").to_casadi()
     given = dict(functions.start)
     del given["s"]
     assert functions.names("d") == ("integer(x)",)
