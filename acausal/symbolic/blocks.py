@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from acausal.symbolic.causal import Assignment, Block, BlockKind, CausalEquation, Residual
 from acausal.symbolic.expressions.expr import Expr, fold, sub
 from acausal.symbolic.expressions.operators import SWITCHING
+from acausal.symbolic.graphs.anchoring import anchored
 from acausal.symbolic.graphs.blt import Component, strong_components
 from acausal.symbolic.graphs.matching import Matcher, Matching
 from acausal.symbolic.graphs.tearing import tear
@@ -110,7 +111,11 @@ def _loop(square: Square, component: Component) -> Block:
         return profiles[eq].solvable.get(unknowns[var]) is Solvability.SAFE
 
     incidence = [[local[leaf] for leaf in profile.leaves if leaf in local] for profile in profiles]
-    torn = tear(incidence, solvable, len(unknowns))
+    coefficients = [
+        {local[leaf]: profile.numbers.get(leaf) for leaf in profile.leaves if leaf in local}
+        for profile in profiles
+    ]
+    torn = anchored(tear(incidence, solvable, len(unknowns)), coefficients)
     assignments = tuple(_solved(profiles[eq].equation, unknowns[var]) for eq, var in torn.assignments)
     residuals = tuple(_residual(profiles[eq].equation) for eq in torn.residuals)
     tearing = tuple(unknowns[var] for var in torn.tearing_vars)

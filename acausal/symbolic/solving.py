@@ -29,11 +29,16 @@ class Solvability(IntEnum):
 
 @dataclass(frozen=True)
 class Profile:
-    """An equation with its leaves: `solvable` those outside conditions, `leaves` all of them."""
+    """An equation with its leaves: `solvable` those outside conditions, `leaves` all of them.
+
+    `numbers` are the coefficients of leaves with which the equation is linear, with the values that
+    parameters are declared with; those that are not numbers are left out.
+    """
 
     equation: CausalEquation
     solvable: dict[Expr, Solvability]
     leaves: tuple[Expr, ...]
+    numbers: dict[Expr, float]
 
 
 class Profiler:
@@ -57,10 +62,12 @@ class Profiler:
         if is_assignment(left, right):
             return Profile(equation, {left: Solvability.SAFE}, leaves)
         if not self.is_numeric(left) or not self.is_numeric(right):
-            return Profile(equation, _direct(left, right), leaves)
+            return Profile(equation, _direct(left, right), leaves, {})
         found = slopes(sub(left, right))
-        solvable = {leaf: self._rate(a) for leaf, a in found.items() if a is None or not _vanishes(a)}
-        return Profile(equation, solvable, leaves)
+        present = {leaf: a for leaf, a in found.items() if a is None or not _vanishes(a)}
+        known = {leaf: None if a is None else self._number(a) for leaf, a in present.items()}
+        solvable = {leaf: _rated(a, known[leaf]) for leaf, a in present.items()}
+        return Profile(equation, solvable, leaves, {leaf: a for leaf, a in known.items() if a is not None})
 
     def is_numeric(self, expr: Expr) -> bool:
         """Whether the expression is Real, so that it may be subtracted and divided."""
@@ -73,15 +80,18 @@ class Profiler:
             return isinstance(expr.value, int | float) and not isinstance(expr.value, bool)
         return OPERATORS[expr.op].shape not in ("relation", "logical")
 
-    def _rate(self, coefficient: Expr | None) -> Solvability:
-        if coefficient is None:
-            return Solvability.NONLINEAR
-        number = coefficient.number if coefficient.op == "const" else self._values.number(coefficient)
-        if number is not None:
-            return Solvability.SAFE if number != 0 else Solvability.SWITCHING
-        if any(node.op in ("if", "abs", "min", "max", "sign") for node in postorder([coefficient])):
-            return Solvability.SWITCHING
-        return Solvability.VARYING
+    def _number(self, coefficient: Expr) -> float | None:
+        return coefficient.number if coefficient.op == "const" else self._values.number(coefficient)
+
+
+def _rated(coefficient: Expr | None, number: float | None) -> Solvability:
+    if coefficient is None:
+        return Solvability.NONLINEAR
+    if number is not None:
+        return Solvability.SAFE if number != 0 else Solvability.SWITCHING
+    if any(node.op in ("if", "abs", "min", "max", "sign") for node in postorder([coefficient])):
+        return Solvability.SWITCHING
+    return Solvability.VARYING
 
 
 def _vanishes(coefficient: Expr) -> bool:
