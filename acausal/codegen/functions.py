@@ -109,7 +109,8 @@ class Code:
     @cached_property
     def quick(self) -> Quick:
         """What integrators call where it is quicker than `ode` and `jac`."""
-        return quick(self.dynamic, tuple(der(state) for state in state_leaves(self.system)))
+        rates = tuple(der(state) for state in state_leaves(self.system))
+        return quick(self.dynamic, rates, nominals_of(self.system))
 
     @cached_property
     def fitting_jac(self) -> Function:
@@ -177,6 +178,11 @@ def output_leaves(system: CausalSystem) -> tuple[Expr, ...]:
     return tuple(found)
 
 
+def nominals_of(system: CausalSystem) -> Nominals:
+    """The nominal values that unknowns are declared with."""
+    return Nominals({sym(v.name): v.nominal for v in system.flat.unknowns if v.nominal is not None})
+
+
 def generate(system: CausalSystem) -> Code:
     """Compile `system` to CasADi Functions. Raises `UnsupportedProblem` for what has no numeric code."""
     parameters = tuple(sym(name) for name in system.parameters)
@@ -188,7 +194,7 @@ def generate(system: CausalSystem) -> Code:
     opened = open_starts(system)
     dynamic = Program((("t", (TIME,)), ("x", states), *known), system.blocks, "block")
     initial = Program((("t", (TIME,)), *known, ("s", starts)), opened.blocks, "initial")
-    nominals = Nominals({sym(v.name): v.nominal for v in system.flat.unknowns if v.nominal is not None})
+    nominals = nominals_of(system)
     stitching = Stitching(dynamic, nominals)
     ode = stitching.closed("ode", [Goal("xdot", tuple(der(state) for state in states))])
     roots, sizes = _sides(system)

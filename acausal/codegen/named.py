@@ -14,11 +14,10 @@ import casadi as ca
 from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD
-from acausal.codegen.functions import Code, state_leaves
+from acausal.codegen.functions import Code, nominals_of, state_leaves
 from acausal.codegen.implicit import implicit_form
 from acausal.codegen.program import Program
 from acausal.codegen.scope import column, split
-from acausal.codegen.solvers import Nominals
 from acausal.codegen.starts import open_starts, start_leaf
 from acausal.codegen.stitch import Goal, Stitching
 from acausal.symbolic.expressions.expr import sym
@@ -139,7 +138,7 @@ def _initial(code: Code) -> Function:
     variables of the running system. `p0` holds the parameters that the start determines, too.
     """
     system = code.system
-    nominals = Nominals({sym(v.name): v.nominal for v in system.flat.unknowns if v.nominal is not None})
+    nominals = nominals_of(system)
     parameters = tuple(sym(name) for name in system.parameters)
     known = tuple(leaf for leaf in code.dynamic.guesses if leaf in code.initial.slots)
     goals = [

@@ -13,8 +13,7 @@ above 1e-6 of its terms then says that the equations contradict each other: not-
 
 Measured, one evaluation of a system of n unknowns by sparse QR against the product with an inverse computed
 once: tridiagonal n = 5: 0.4 against 0.2 us, 20: 1.0 against 0.4 us, 50: 2.2 against 1.4 us; dense n = 5: 0.5
-against 0.2 us, 20: 4 against 0.4 us. A call from Python costs 5 us and more, and torn systems are small, so
-constant matrices are not factored in advance; the C run-time may.
+against 0.2 us, 20: 4 against 0.4 us. Hence the inverses of constant matrices are kept (`factors`).
 
 Nonlinear. Newton works on residuals divided by their size at the guess, `s_i = sum_j |J_ij| (|z_j| +
 nominal_j)`, so that pascals and cubic metres per second stop at the same relative accuracy. What it returns
@@ -46,7 +45,7 @@ _ALWAYS = 20
 """Up to this size every system has a minimum-norm branch; larger ones only where they hold an `if`."""
 _DELTA = 1e-7
 _REFINEMENTS = 3
-_QR: dict[str, float] = {"eps": 0.0}
+QR: dict[str, float] = {"eps": 0.0}
 _NEWTON: dict[str, float | bool | str] = {
     "abstol": 1e-12,
     "abstolStep": 0.0,
@@ -71,24 +70,47 @@ class Nominals:
 def linear(block: Block, known: Sequence[Expr], name: str, nominals: Nominals) -> Function:
     """`u -> z` with `A(u) z = b(u)`: the exact Jacobian of the residuals, minus their value at 0."""
     z, u, scope = block_scope(block, known)
-    residual = scope.column([r.value for r in block.residuals])
-    right = -Function("residual", [z, u], [residual]).call([SX.zeros(z.shape[0], 1), u])[0]
-    matrix = jacobian(residual, z)
-    rows, columns = _equilibration(matrix)
-    scaled = ca.mtimes(ca.mtimes(ca.diag(rows), matrix), ca.diag(columns))
+    matrix, right = linear_system(block, z, u, scope)
+    rows, columns, scaled = scaled_system(matrix)
     outputs = [scaled, ca.densify(rows * right), columns]
     system = Function(f"{name}_system", [u], outputs, ["u"], ["S", "b", "c"], FORWARD)
     values = MX.sym("u", len(known))
     s, b, c = system(values)
-    both = ca.solve(s, ca.horzcat(b, _generic(len(block.tearing))), "qr", _QR)
-    regular = ca.sum1(ca.fabs(both[:, 1])) < SINGULAR
+    solved, regular = regular_solution(s, b)
     if len(block.tearing) > _ALWAYS and not is_switching(block):
-        found = c * both[:, 0] + ca.if_else(regular, 0.0, float("nan"))
+        found = c * solved + ca.if_else(regular, 0.0, float("nan"))
         return Function(name, [values], [found], ["u"], ["z"], FORWARD)
     scale = nominals.column(scope, block.tearing)
     other = _minimum_norm(matrix, right, scale, u, name)
     chosen = Function.if_else(f"{name}_choice", _pass(name, len(block.tearing), len(known)), other)
-    return Function(name, [values], [chosen(regular, c * both[:, 0], values)], ["u"], ["z"], FORWARD)
+    return Function(name, [values], [chosen(regular, c * solved, values)], ["u"], ["z"], FORWARD)
+
+
+def linear_system(block: Block, z: SX, u: SX, scope: Scope) -> tuple[SX, SX]:
+    """Matrix and right side of a linear block."""
+    residual = scope.column([r.value for r in block.residuals])
+    right = -Function("residual", [z, u], [residual]).call([SX.zeros(z.shape[0], 1), u])[0]
+    return jacobian(residual, z), right
+
+
+def right_side(block: Block, known: Sequence[Expr], name: str) -> Function:
+    """`u -> b` of a linear block."""
+    z, u, scope = block_scope(block, known)
+    right = ca.densify(linear_system(block, z, u, scope)[1])
+    return Function(f"{name}_right", [u], [right], ["u"], ["b"], FORWARD)
+
+
+def scaled_system(matrix: SX) -> tuple[SX, SX, SX]:
+    """Factors of rows and columns, and the matrix with both applied."""
+    rows, columns = _equilibration(matrix)
+    return rows, columns, ca.mtimes(ca.mtimes(ca.diag(rows), matrix), ca.diag(columns))
+
+
+def regular_solution(matrix: MX, right: MX) -> tuple[MX, MX]:
+    """The solution for every column of `right`, and whether the matrix is regular."""
+    both = ca.solve(matrix, ca.horzcat(right, _generic(int(matrix.shape[0]))), "qr", QR)
+    count = int(right.shape[1])
+    return both[:, :count], ca.sum1(ca.fabs(both[:, count])) < SINGULAR
 
 
 def _equilibration(matrix: SX) -> tuple[SX, SX]:
@@ -131,7 +153,7 @@ def _minimum_norm(matrix: SX, right: SX, scale: SX, u: SX, name: str) -> Functio
     augmented = ca.vertcat(ca.horzcat(delta, s.T), ca.horzcat(s, -delta))
     z = MX.zeros(n, 1)
     for _ in range(_REFINEMENTS):
-        step = ca.solve(augmented, ca.vertcat(MX.zeros(n, 1), b - ca.mtimes(s, z)), "qr", _QR)
+        step = ca.solve(augmented, ca.vertcat(MX.zeros(n, 1), b - ca.mtimes(s, z)), "qr", QR)
         z = z + step[:n]
     size = t + ca.mtimes(ca.fabs(s), ca.fabs(z))
     met = ca.fabs(b - ca.mtimes(s, z)) <= CONSISTENT * size

@@ -18,10 +18,11 @@ import casadi as ca
 from casadi import MX, SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, Converter
+from acausal.codegen.factors import Factors
 from acausal.codegen.program import Program, explicit_code
 from acausal.codegen.scope import Scope, block_scope, column
 from acausal.codegen.segments import Segment, expressions, reads
-from acausal.codegen.solvers import Nominals, linear, nonlinear
+from acausal.codegen.solvers import Nominals, linear, nonlinear, right_side
 from acausal.symbolic.causal import BlockKind
 from acausal.symbolic.expressions.expr import Expr
 
@@ -69,17 +70,33 @@ class Stitching:
     def closed(self, name: str, goals: Sequence[Goal]) -> Function:
         """From the program's inputs and a guess of `z` to the goals and the solved `z_out`."""
         if not self._program.is_explicit:
-            return _Stitcher(self._program, name, goals, self._nominals).function()
+            return stitched(self._program, name, goals, self._nominals, None)
         scope = self._scope
         outputs = [(goal.name, scope.column(goal.roots, goal.literal)) for goal in goals]
         return scope.function(name, [*outputs, ("z_out", column([]))])
 
 
+def stitched(
+    program: Program, name: str, goals: Sequence[Goal], nominals: Nominals, factors: Factors | None
+) -> Function:
+    """As `Stitching.closed`, of a program with implicit blocks; the last input are the `factors`, if any."""
+    return _Stitcher(program, name, goals, nominals, factors).function()
+
+
 class _Stitcher:
     """Builds the MX graph of one Function; holds which vector each value is in."""
 
-    def __init__(self, program: Program, name: str, goals: Sequence[Goal], nominals: Nominals) -> None:
+    def __init__(
+        self,
+        program: Program,
+        name: str,
+        goals: Sequence[Goal],
+        nominals: Nominals,
+        factors: Factors | None,
+    ) -> None:
         self.program = program
+        self.factors = factors
+        self.factors_in = MX.sym("w", factors.size if factors is not None else 0)
         self.name = name
         self.goals = goals
         self.nominals = nominals
@@ -124,8 +141,10 @@ class _Stitcher:
         names = [goal.name for goal in self.goals]
         outputs.append(ca.vertcat(*self._solved))
         groups = [group for group, _ in self.program.groups]
-        inputs = [*self.inputs, self.guess_in]
-        return Function(self.name, inputs, outputs, [*groups, "z"], [*names, "z_out"], FORWARD)
+        inputs, names_in = [*self.inputs, self.guess_in], [*groups, "z"]
+        if self.factors is not None:
+            inputs, names_in = [*inputs, self.factors_in], [*names_in, "w"]
+        return Function(self.name, inputs, outputs, names_in, [*names, "z_out"], FORWARD)
 
     def _needed(self) -> list[list[Expr]]:
         """Of each segment, the unknowns that later segments or the goals read."""
@@ -153,7 +172,10 @@ class _Stitcher:
         scales = [self.nominals.of[z] for z in block.tearing if z in self.nominals.of]
         known = reads([*expressions([block]), *scales], slots, own=block.unknowns)
         u = self._take(known)
-        if block.kind is BlockKind.LINEAR:
+        inverse = self.factors.inverse(block, self.factors_in) if self.factors is not None else None
+        if inverse is not None:
+            z = ca.mtimes(inverse, right_side(block, known, name)(u))
+        elif block.kind is BlockKind.LINEAR:
             z = linear(block, known, name, self.nominals)(u)
         else:
             guess = self.guess_in[self._reached : self._reached + len(block.tearing)]

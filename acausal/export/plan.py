@@ -72,6 +72,8 @@ class Plan:
         found["output"] = self.outputs.run
         if code.quick.ode is not None:
             found["robust"] = _renamed(code.ode, "robust")
+        if code.quick.factors is not None:
+            found["factors_of"] = code.quick.factors
         discrete = code.discrete
         found |= {
             "update": discrete.update,
@@ -94,6 +96,11 @@ class Plan:
     def takes_solution(self) -> bool:
         """Whether the Jacobian takes the blocks as solved, and gives the rates too."""
         return self.code.quick.slopes is not None
+
+    @property
+    def factors(self) -> int:
+        """Numbers that are computed once the parameters are known (`codegen.factors`)."""
+        return 0 if self.code.quick.factors is None else self.code.quick.factors.nnz_out(0)
 
     @property
     def exact_rate(self) -> int:
@@ -281,8 +288,8 @@ def numbers_of(plan: Plan) -> int:
     outputs, samples = len(plan.outputs.names), len(system.discrete.samples)
     asserted, fired = len(system.assertions), len(system.discrete.checks) + len(system.discrete.stops)
     vectors: Sequence[int] = [
-        *[parameters] * 3, inputs, modes, frozen, *[starts] * 3, states + guesses, slots, *[plan.widest] * 2,
-        plan.largest * (NUMBERS_PER_BLOCK * plan.largest + 17), *[states] * 3, modes,
+        *[parameters] * 3, inputs, modes, frozen, *[starts] * 3, states + guesses, plan.factors, slots,
+        *[plan.widest] * 2, plan.largest * (NUMBERS_PER_BLOCK * plan.largest + 17), *[states] * 3, modes,
         states, modes, modes, frozen, modes, frozen, modes, frozen, modes, frozen,
         *[frozen] * 3, *[located] * 3, 2 * states + guesses, *[modes] * 2, outputs, fired, *[samples] * 3,
         len(system.zero_crossings) - located,

@@ -95,6 +95,7 @@ def _counts(plan: Plan) -> Iterator[_Field]:
         ("redundant", plan.redundant),
         ("redundant_reads", len(code.checks.reads)),
         ("tunables", len(plan.tunables)),
+        ("factors", plan.factors),
         ("exact_rate", plan.exact_rate),
         ("takes_solution", int(plan.takes_solution)),
         ("past", plan.past),

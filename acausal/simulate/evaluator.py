@@ -64,13 +64,18 @@ class Evaluator:
         self.z_nominal = _positive(nominal[1].ravel())
         known = [self.t, self.x, self.p, self.m, self.u, self.d]
         robust, quick = Robust(code, [*known, self.guess]), code.quick
-        self.ode = Buffered(quick.ode or code.ode, [*known, self.guess], rescue=quick.ode and robust.ode)
+        self.w = np.zeros(0) if quick.factors is None else call(quick.factors, self.p)[0].ravel()
+        factors = [self.w] if quick.factors is not None else []
+        begin = [*known, self.guess, *factors]
+        self.ode = Buffered(quick.ode or code.ode, begin, rescue=quick.ode and robust.ode)
         self.xdot, self.z = self.ode.outputs
         given, before = [*known, self.z], self.solve if self.guess.size else None
         self.jac = (
             Buffered(code.jac, [*known, self.guess])
             if quick.slopes is None
-            else Buffered(quick.slopes, given, before, robust.slopes if self.guess.size else None)
+            else Buffered(
+                quick.slopes, [*given, *factors], before, robust.slopes if self.guess.size else None
+            )
         )
         self.output = Buffered(code.outputs, given, before)
         self.event = Buffered(code.events, given, before if code.events_need_blocks else None)
@@ -97,7 +102,7 @@ class Evaluator:
     @property
     def groups(self) -> dict[str, Vector]:
         """The Functions' inputs by name, without the point and the tearing variables."""
-        return {"p": self.p, "m": self.m, "u": self.u, "d": self.d}
+        return {"p": self.p, "m": self.m, "u": self.u, "d": self.d, "w": self.w}
 
     @property
     def is_moving(self) -> bool:

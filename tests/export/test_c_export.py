@@ -10,6 +10,7 @@ import pytest
 import acausal
 from acausal.errors import LookupProblem, UnsupportedProblem, UsageProblem
 from acausal.export.c_export import export_c
+from tests.codegen.test_factors import LADDER
 from tests.export.packages import Built, built, compiled, differences, exported, needs_compiler
 
 LOOP = """
@@ -102,6 +103,18 @@ def test_loops_run_as_in_python(loop: Built) -> None:
 @needs_compiler
 def test_events_run_as_in_python_under_sanitizers(hybrid: Built) -> None:
     assert differences(compiled(HYBRID), hybrid, "heun", 1e-3) == 0.0
+
+
+@needs_compiler
+def test_matrices_that_no_run_changes_are_factored_for_every_variant(tmp_path: Path) -> None:
+    model = acausal.loads(LADDER).compile(G=2.0)
+    assert model.code.quick.factors is not None
+    package = exported(model, tmp_path, solver="rosenbrock", step=1e-2)
+    (tmp_path / "table.csv").write_text("G\n2\n0.3\n", encoding="utf-8")
+    package.run("-p", "table.csv", "-r", "results.csv", "--stop", "0.5")
+    for g, row in zip((2.0, 0.3), results(package), strict=True):
+        run = model.simulate(solver="rosenbrock", step=1e-2, stop_time=0.5, parameters={"G": g})
+        assert float(row["x"]) == pytest.approx(run.values("x")[-1], rel=1e-10)
 
 
 @needs_compiler

@@ -58,6 +58,7 @@ typedef struct {
     const char *name;
     int states, inputs, delays, parameters, modes, located, frozen, unknowns, memory, samples, phases;
     int resets, checks, stops, assertions, outputs, guesses, entries, starts, instants, redundant, tunables;
+    int factors;               /* numbers of `factors_of` */
     int exact_rate, takes_solution; /* see ac_model */
     int initial_phase, terminal_phase; /* places among the frozen values, or -1 */
     const int *located_at;     /* modes whose roots are looked for */
@@ -73,6 +74,7 @@ typedef struct {
     int past;                  /* samples of delayed expressions that are kept at most */
     int redundant_reads, largest, widest; /* of all segments: tearing variables, reads and writes */
     ac_entry ode, jac, derivative, events, scales, output, conditions; /* (t, x, p, m, u, d, z) -> ... */
+    ac_entry factors_of;       /* p -> w: once the parameters are known; `ode` and `jac` take it last */
     ac_entry robust;           /* as `ode`, where that gives no numbers, or null */
     ac_entry update, memory_of, actions, delayed;                      /* the same arguments */
     ac_entry start_discrete;   /* those and the start values */
@@ -115,7 +117,7 @@ typedef struct {
     ac_settings settings;
     ac_model model;
     ac_solver solver;
-    double *p, *given, *chosen, *u, *m, *d, *s, *s_given, *s_chosen, *nominal;
+    double *p, *given, *chosen, *u, *m, *d, *s, *s_given, *s_chosen, *nominal, *factors;
     ac_series *input;
     /* scratch of calls */
     const double **arg;

@@ -93,8 +93,9 @@ static void connected(ac_run *r)
                                                &m->scales, &m->output, &m->assertions};
     double *const results[FUNCTIONS] = {m->xdot, m->jacobian, m->rate, m->roots, m->sizes, m->row, m->ok};
     for (int i = 0; i < FUNCTIONS; i++) {
-        const double *const given[7] = {m->t, m->x, r->p, r->m, r->u, r->d,
-                                      i == 0 || i == 2 || (i == 1 && !r->plan->takes_solution) ? m->guess : m->z};
+        const double *const given[8] = {m->t, m->x, r->p, r->m, r->u, r->d,
+                                      i == 0 || i == 2 || (i == 1 && !r->plan->takes_solution) ? m->guess : m->z,
+                                      r->factors};
         memcpy(functions[i]->arg, given, sizeof given);
         functions[i]->res[0] = results[i];
     }
@@ -122,6 +123,7 @@ static void vectors(ac_run *r, ac_pool *pool)
                {&r->s_given, plan->starts},
                {&r->s_chosen, plan->starts},
                {&r->nominal, plan->states + plan->guesses},
+               {&r->factors, plan->factors},
                {&r->values, slots > 2 * plan->modes ? slots : 2 * plan->modes},
                {&r->known, plan->widest},
                {&r->found, plan->widest},

@@ -27,6 +27,7 @@ int ac_parameters(ac_run *r)
                           isnan(r->p[i]) ? "not a number" : "infinite", plan->parameter_place[i]);
         }
     }
+    (void)ac_from(r, plan->factors_of, r->p, NULL, r->factors, NULL);
     return 0;
 }
 

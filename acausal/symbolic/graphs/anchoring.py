@@ -1,7 +1,7 @@
 """Anchors: more guesses where the assignments of a torn loop lose digits.
 
-A long chain of assignments is a recurrence, and one whose solutions grow (`x[i+1] = 4 x[i] - x[i-1]`: by 3.7 a
-step) loses all digits of a solution that does not grow. Guessing some variables of the chain as well makes
+A long chain of assignments is a recurrence, and one whose solutions grow (`x[i+1] = 4 x[i] - x[i-1]`: by 3.7
+a step) loses all digits of a solution that does not grow. Guessing some variables of the chain as well makes
 several short chains of it, whose ends are matched by a matrix that is solved with pivoting: multiple shooting
 (Ascher, Mattheij and Russell, "Numerical Solution of Boundary Value Problems for Ordinary Differential
 Equations", 1988, 4.3), with as many shots as the numbers call for.
@@ -14,64 +14,78 @@ from collections.abc import Mapping, Sequence
 from acausal.symbolic.graphs.tearing import Tearing
 from acausal.symbolic.graphs.types import Eq, Var
 
-GROWTH = 1e6
+GROWTH = 1e5
 """How much larger than the rounding errors they begin with errors may get along assignments."""
 STALE = 1e3
 """The same for errors that the beginning of a new chain should have ended."""
-_GOLDEN = (5**0.5 - 1) / 2
+_GOLDEN, _ROOT = (5**0.5 - 1) / 2, 2**0.5
 
 Coefficients = Mapping[Var, float | None]
 """Of the variables in one equation; None where it is not a number: it counts as the largest of the others."""
 
 
 def anchored(tearing: Tearing, rows: Sequence[Coefficients]) -> Tearing:
-    """`tearing` with those variables guessed, too, where errors would have grown more than `GROWTH` times.
+    """`tearing` with those variables guessed, too, whose errors would grow more than `GROWTH` times.
 
     Rows and then columns of the matrix are scaled to a largest entry of 1. An error of a generic number for
     each guess, and of that times the sum of its coefficients for each equation, is sent through the
-    assignments; a variable that it makes too large is guessed, its equation becomes a residual, and the
-    error begins anew. Where a variable depends on one after such a beginning and on one before it, whose
-    error is above `STALE`, it is guessed as well: several variables connect the parts of a chain. Small
-    pivots are found, too. O(E).
+    assignments. Where one of them makes an error too large, the variable it is from is guessed, its equation
+    becomes a residual, and the error begins anew; so does that of another variable in the same assignment,
+    if it is from before this beginning and above `STALE`: several variables connect the parts of a chain.
+    A variable with a small pivot is guessed itself. O(E).
     """
     chain = _Chain(tearing, _equilibrated(rows))
-    kept = [pair for pair in tearing.assignments if chain.keeps(*pair)]
-    if len(kept) == len(tearing.assignments):
+    for eq, var in tearing.assignments:
+        chain.run(eq, var)
+    if not chain.anchors:
         return tearing
-    residuals = sorted((*tearing.residuals, *chain.opened))
-    return Tearing((*tearing.tearing_vars, *chain.anchors), tuple(kept), tuple(residuals))
+    kept = tuple([(eq, var) for eq, var in tearing.assignments if var not in chain.anchors])
+    residuals = sorted((*tearing.residuals, *chain.anchors.values()))
+    return Tearing((*tearing.tearing_vars, *chain.anchors), kept, tuple(residuals))
 
 
 class _Chain:
-    """Errors along the assignments; `round_of` a variable is the number of beginnings before it."""
+    """Errors along the assignments; the round of a variable is the number of beginnings before it."""
 
     def __init__(self, tearing: Tearing, rows: Sequence[Mapping[Var, float]]) -> None:
-        self.anchors: list[Var] = []
-        self.opened: list[Eq] = []
+        self.anchors: dict[Var, Eq] = {}
         self._rows = rows
         self._error = {var: _generic(var) for var in tearing.tearing_vars}
         self._round = dict.fromkeys(tearing.tearing_vars, 0)
         self._rounds = 0
+        self._equation: dict[Var, Eq] = {}
 
-    def keeps(self, eq: Eq, var: Var) -> bool:
-        """Takes the next assignment; whether it may stay one."""
+    def run(self, eq: Eq, var: Var) -> None:
+        """Takes the next assignment."""
         row = self._rows[eq]
+        pivot = abs(row[var])
         others = [(other, a) for other, a in row.items() if other != var]
-        latest = max((self._round[other] for other, _ in others), default=0)
-        size = _generic(eq) * sum(map(abs, row.values()))
-        error = size - sum(a * self._error[other] for other, a in others)
-        stale = sum(abs(a * self._error[other]) for other, a in others if self._round[other] < latest)
-        grown = abs(error) > GROWTH * abs(row[var])
-        if not grown and stale <= STALE * abs(row[var]):
-            self._error[var], self._round[var] = error / row[var], latest
-            return True
-        if grown and not stale:
+        grown = [other for other, a in others if self._from(other, a) > GROWTH * pivot]
+        if sum([self._cut(other, self._rounds + 1) for other in grown]):
             self._rounds += 1
-            latest = self._rounds
-        self._error[var], self._round[var] = _generic(var), latest
-        self.anchors.append(var)
-        self.opened.append(eq)
-        return False
+        latest = max((self._round[other] for other, _ in others), default=0)
+        for other, a in others:
+            if self._round[other] < latest and self._from(other, a) > STALE * pivot:
+                self._cut(other, latest)
+        error = _generic(eq) * sum(map(abs, row.values()))
+        error -= sum(a * self._error[other] for other, a in others)
+        self._equation[var] = eq
+        self._round[var] = latest
+        if abs(error) > GROWTH * pivot:
+            self._cut(var, latest)
+        else:
+            self._error[var] = error / row[var]
+
+    def _from(self, other: Var, coefficient: float) -> float:
+        return abs(coefficient * self._error[other])
+
+    def _cut(self, var: Var, number: int) -> bool:
+        """Guesses a variable; False if it was guessed already."""
+        if var in self.anchors or var not in self._equation:
+            return False
+        self.anchors[var] = self._equation[var]
+        self._error[var], self._round[var] = _generic(var), number
+        return True
 
 
 def _equilibrated(rows: Sequence[Coefficients]) -> list[dict[Var, float]]:
@@ -88,5 +102,5 @@ def _equilibrated(rows: Sequence[Coefficients]) -> list[dict[Var, float]]:
 
 
 def _generic(number: int) -> float:
-    """A number around 1 without structure, of either sign."""
-    return (0.5 + (number + 1) * _GOLDEN % 1.0) * (-1.0 if number % 3 == 1 else 1.0)
+    """A number around 1 without structure; as many have one sign as the other."""
+    return (0.5 + (number + 1) * _GOLDEN % 1.0) * (-1.0 if (number + 1) * _ROOT % 1.0 < 0.5 else 1.0)
