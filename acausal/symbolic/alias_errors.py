@@ -172,7 +172,7 @@ def not_differentiable(
 ) -> ReductionProblem:
     """The typed error for an equation that had to be differentiated, for the derivatives `needed`."""
     what = short_text(problem.expr)
-    why = f", since it prescribes {quoted(needed)}, differentiated elsewhere," if needed else ""
+    why = f", since it prescribes {quoted(needed)}, differentiated elsewhere" if needed else ""
     error = fail(
         ReductionProblem,
         "reduction.not-differentiable",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, Lookup, NotConstant, evaluate
@@ -22,6 +23,7 @@ from acausal.symbolic.expressions.simplify import collect_terms, split_factor
 
 _INEQUALITIES = frozenset({"lt", "le", "gt", "ge"})
 _TOLERANCE = 1e-9
+_ROUNDING = 1e-13
 
 
 def is_continuous(node: Expr, moves: Callable[[Expr], bool], values: Lookup) -> bool:
@@ -45,6 +47,15 @@ def is_continuous(node: Expr, moves: Callable[[Expr], bool], values: Lookup) -> 
     return False
 
 
+def decided(condition: Expr, values: Lookup) -> bool | None:
+    """What a condition in parameters is with their `values`; None for any other."""
+    try:
+        value = evaluate(condition, values)
+    except (NotConstant, EvaluationFailed):
+        return None
+    return value if isinstance(value, bool) else None
+
+
 def _solve(difference: Expr, leaf: Expr, moves: Callable[[Expr], bool], values: Lookup) -> Expr | None:
     parts = linear_coefficient(difference, leaf)
     if parts is None or any(moves(other) for other in unknown_leaves(parts[0])):
@@ -58,7 +69,24 @@ def _equal(a: Expr, b: Expr, values: Lookup) -> bool:
         return True
     left, right = (_with_values(side, values) for side in (a, b))
     scale = max(_largest_factor(left), _largest_factor(right))
-    return _largest_factor(collect_terms(sub(left, right))) <= _TOLERANCE * scale
+    off = _largest_factor(collect_terms(sub(left, right)))
+    return off <= _TOLERANCE * scale or off <= _ROUNDING * max(_size(side, values) for side in (a, b))
+
+
+def _size(expr: Expr, values: Lookup) -> float:
+    """The sum of the absolute values of all terms, of which the rounding of the whole is a share."""
+
+    def visit(node: Expr, args: list[float]) -> float:
+        if node.op == "add":
+            return sum(args)
+        if node.op == "mul":
+            return math.prod(args)
+        if node.op in ("neg", "noEvent", "smooth"):
+            return args[0]
+        value = _number(node, values)
+        return 0.0 if value is None else abs(value)
+
+    return fold([expr], visit)[expr]
 
 
 def _with_values(expr: Expr, values: Lookup) -> Expr:

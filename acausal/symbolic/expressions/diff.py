@@ -3,7 +3,8 @@
 `RULES` gives for every operator the derivative of a node from the derivatives of its arguments (the chain
 rule, forward). Where an operator switches (`if`, `abs`, `min`, ...) the rule is that of the piece in force;
 `time_derivative` applies it only where the pieces provably meet, because a jump has no derivative, and raises
-`NotDifferentiable` otherwise. Partial derivatives are those of the piece in force, always.
+`NotDifferentiable` otherwise; a branch that the values of parameters exclude needs no proof. Partial
+derivatives are those of the piece in force, always.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
-from acausal.symbolic.expressions.continuity import is_continuous
+from acausal.symbolic.expressions.continuity import decided, is_continuous
 from acausal.symbolic.expressions.evaluate import Lookup
 from acausal.symbolic.expressions.expr import (
     ONE,
@@ -285,7 +286,7 @@ class TimeDerivative:
         if node.op == "derived":
             return self._given(node.args[1])
         slopes: list[Expr] = []
-        for i, slope in enumerate(args):
+        for i, slope in enumerate(self._reachable(node, args) if node.op == "if" else args):
             if node.op == "call" and not node.kernel.moves_with(i):
                 slopes.append(ZERO)
             elif isinstance(slope, NotDifferentiable):
@@ -305,6 +306,19 @@ class TimeDerivative:
             return RULES[node.op](node, slopes)
         except NotDifferentiable as problem:
             return problem
+
+    def _reachable(
+        self, node: Expr, args: list[Expr | NotDifferentiable]
+    ) -> list[Expr | NotDifferentiable]:
+        """The slopes of an `if`; of a branch that the parameters' values exclude without proofs."""
+        if not any(isinstance(slope, NotDifferentiable) for slope in args[1:]):
+            return args
+        taken = decided(node.args[0], self._values)
+        if taken is None:
+            return args
+        at = 2 if taken else 1
+        branch = node.args[at]
+        return [*args[:at], fold([branch], self._visit_free, self._free)[branch], *args[at + 1 :]]
 
     def _given(self, derivative: Expr) -> Expr | NotDifferentiable:
         """The derivative that an author gave, with the rates in it found (deeper ones when they are due)."""

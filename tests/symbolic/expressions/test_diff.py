@@ -160,6 +160,8 @@ def test_smooth_of_order_zero_needs_a_proof() -> None:
         "if not x > 2*p then x*y else 2*p*y",
         "if 3*time < t0 then x else x + (3*time - t0)*y",
         "noEvent(if x >= p then x else p)",
+        "if p > 1 then x else if time < 1 then 0 else 1",  # never in force with p = 1.5
+        "if time < t1 then 0.1*h*(time - t0) - 0.45 else 0",  # zero to rounding
     ],
 )
 def test_switches_that_provably_meet(text: str) -> None:
@@ -178,6 +180,8 @@ def test_switches_that_provably_meet(text: str) -> None:
         "mod(x, p)",
         "u",
         "noEvent(if time < 1 then 0 else 1)",
+        "if p > 2 then x else if time < 1 then 0 else 1",
+        "if x > y then 1e-9 else 0",
     ],
 )
 def test_jumps_are_refused(text: str) -> None:
