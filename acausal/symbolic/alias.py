@@ -28,6 +28,7 @@ from acausal.symbolic.attributes import (
 from acausal.symbolic.causal import Alias, CausalEquation
 from acausal.symbolic.describe import equation_with_place
 from acausal.symbolic.expressions.expr import Expr, const, sym
+from acausal.symbolic.expressions.simplify import collect_terms
 from acausal.symbolic.expressions.text import to_text
 from acausal.symbolic.leaves import Chains, Rewriter
 from acausal.symbolic.parameters import ParameterValues
@@ -89,7 +90,7 @@ def eliminate_aliases(flat: FlatModel, values: ParameterValues) -> Simplified:
         values=values,
         unknowns=tuple(v for v in search.determined(flat) if v.name not in eliminated),
         equations=tuple(
-            CausalEquation(search.left[i], search.right[i], equation)
+            CausalEquation(_collected(search.left[i]), _collected(search.right[i]), equation)
             for i, equation in enumerate(flat.equations)
             if search.live[i]
         ),
@@ -101,6 +102,13 @@ def eliminate_aliases(flat: FlatModel, values: ParameterValues) -> Simplified:
         differentiations=max(search.level, default=0),
     )
     return _with_rest(simplified, search, fixed)
+
+
+def _collected(side: Expr) -> Expr:
+    """A sum without what cancels in it once aliases are replaced: nothing depends on that."""
+    found = collect_terms(side)
+    same = found.op == "add" and len(found.args) == len(side.args)
+    return side if same else found
 
 
 def _named_equation(search: AliasSearch, x: str, v: str) -> CausalEquation:

@@ -11,6 +11,7 @@ from time import process_time
 import numpy as np
 
 import acausal
+from acausal.api import CompiledModel
 from acausal.errors import AcausalError
 from acausal.simulate.result import Result
 from tests.reference.published import Reference
@@ -37,7 +38,8 @@ def judge(model: str, libraries: list[Path], reference: Reference | None, solver
     try:
         compiled = acausal.load(model, path=libraries).compile()
         interval = spacing(next(iter(curves.values()))) if curves else None
-        result = compiled.simulate(interval=interval, solver=solver)
+        stop = own_end(compiled, curves)
+        result = compiled.simulate(interval=interval, solver=solver, stop_time=stop)
     except AcausalError as error:
         first = error.diagnostics[0]
         reason = f"[{first.code}] {first.message}"
@@ -50,10 +52,23 @@ def judge(model: str, libraries: list[Path], reference: Reference | None, solver
     names = [name for name in reference.signals if name in curves]
     found = worst(result, {name: curves[name] for name in names})
     spent = process_time() - began
+    note = "" if stop is None else f"over the interval of the reference, which ends at {stop:g} s"
     if found is None:
-        return Verdict(model, AGREES, len(names), "", spent)
+        return Verdict(model, AGREES, len(names), note, spent)
     name, off, count = found
-    return Verdict(model, DEVIATES, len(names), f"{count} signals, most `{name}`: {text(off)}", spent)
+    why = f"{count} signals, most `{name}`: {text(off)}"
+    return Verdict(model, DEVIATES, len(names), f"{why}, {note}" if note else why, spent)
+
+
+def own_end(compiled: CompiledModel, curves: dict[str, Curve]) -> float | None:
+    """Where the reference ends, if it was not made over the interval of the model's `experiment`."""
+    if not curves:
+        return None
+    times = next(iter(curves.values())).time
+    experiment = compiled.flat.experiment
+    start = experiment.start_time or 0.0
+    planned = start + 1.0 if experiment.stop_time is None else experiment.stop_time
+    return None if abs(planned - times[-1]) <= 1e-6 * abs(planned - start) else float(times[-1])
 
 
 def spacing(curve: Curve) -> float:

@@ -49,6 +49,11 @@ def test_event_may_be_a_little_off(instant: float, fine: bool) -> None:
     assert (deviation(step_at(5.0), step_at(instant)) is None) == fine
 
 
+@pytest.mark.parametrize(("instant", "fine"), [(9.9995, True), (10.0, True), (9.99, False)])
+def test_event_at_the_end_may_come_after_it(instant: float, fine: bool) -> None:
+    assert (deviation(Curve(TIME, np.zeros(len(TIME))), step_at(instant)) is None) == fine
+
+
 def test_event_that_is_missed() -> None:
     off = deviation(step_at(5.0), Curve(TIME, np.zeros(len(TIME))))
     assert off is not None

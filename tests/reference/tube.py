@@ -3,8 +3,9 @@
 The tube of a reference has the half width `0.002 * (largest - smallest value)`, with room for the rounding of
 what is constant. Both are compared at the points of the reference. Near events, of either side, the tube also
 reaches over everything that the other signal has within a short time: an event may come so much earlier or
-later. Elsewhere time is exact. Jumps of the signal have to be jumps of the reference, too; the other way
-round, what a reference shows for less than that time, as the passes of an event iteration, need not be there.
+later. Elsewhere time is exact. Jumps of the signal have to be jumps of the reference, too, unless this may
+have them just after its end; the other way round, what a reference shows for less than that time, as the
+passes of an event iteration, need not be there.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ def deviation(reference: Curve, found: Curve) -> Deviation | None:
     events = np.unique(np.concatenate([reference.events, found.events]))
     expected = _off(reference, found, events, shift) / width
     expected[expected > 1.0] *= ~_is_short(reference, found, shift, width)[expected > 1.0]
-    jumps = _jumps(found, width)
+    jumps = _before(_jumps(found, width), end - shift)
     own = _off(jumps, reference, events, shift) / width
     worst, at_jump = int(np.argmax(expected)), int(np.argmax(own)) if len(own) else -1
     if at_jump >= 0 and own[at_jump] > max(1.0, expected[worst]):
@@ -86,6 +87,12 @@ def _jumps(curve: Curve, width: float) -> Curve:
     after = np.flatnonzero((np.diff(curve.time) <= 0) & ~(np.abs(np.diff(curve.values)) <= width))
     which = np.unique(np.concatenate([after, after + 1]))
     return Curve(curve.time[which], curve.values[which])
+
+
+def _before(curve: Curve, time: float) -> Curve:
+    """The part of a curve until `time`."""
+    kept = curve.time <= time
+    return Curve(curve.time[kept], curve.values[kept])
 
 
 def _off(points: Curve, line: Curve, events: Vector, shift: float) -> Vector:

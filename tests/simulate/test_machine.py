@@ -56,3 +56,32 @@ def test_compiled_events_are_those_of_the_virtual_machine() -> None:
     assert virtual.final(["n"])["n"] == native.final(["n"])["n"] > 4
     assert np.array_equal(virtual.time, native.time)
     assert np.array_equal(virtual.data, native.data)
+
+
+LOOPS = """
+model Loops "a function whose loop depends on values at run time is evaluated in Python, at events"
+  function up
+    input Real u;
+    output Integer y;
+  algorithm
+    y := 0;
+    while y*y < u loop
+      y := y + 1;
+    end while;
+  end up;
+  Real x(start = 0, fixed = true);
+  Integer n(start = 0, fixed = true);
+equation
+  der(x) = n - x;
+  when time > pre(n) then
+    n = up(10*time + 1);
+  end when;
+end Loops;
+"""
+
+
+def test_what_is_evaluated_in_python_is_left_to_it() -> None:
+    found = machine_of(acausal.loads(LOOPS).compile().code)
+    assert "update.c" not in found.sources.files
+    found.compile()
+    assert found.library is not None

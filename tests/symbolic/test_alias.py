@@ -26,6 +26,14 @@ def aliases(*equations: str, **variables: Attributes) -> dict[str, str]:
     return {alias.name: to_text(alias.value) for alias in found.aliases}
 
 
+def test_what_cancels_once_aliases_are_replaced_is_gone() -> None:
+    """The loop over c is none: 0 = a + c - b with b = c leaves c out."""
+    found = simplified(model("b = c", "0 = a + c - b - 1", "c = a^2"))
+    (equation,) = [e for e in found.equations if "a ^ 2" not in to_text(e.right)]
+    assert "c" not in to_text(equation.right) + to_text(equation.left)
+    assert "b" not in to_text(equation.right) + to_text(equation.left)
+
+
 @pytest.mark.parametrize(
     ("equation", "value"),
     [

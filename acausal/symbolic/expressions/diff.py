@@ -307,9 +307,7 @@ class TimeDerivative:
         except NotDifferentiable as problem:
             return problem
 
-    def _reachable(
-        self, node: Expr, args: list[Expr | NotDifferentiable]
-    ) -> list[Expr | NotDifferentiable]:
+    def _reachable(self, node: Expr, args: list[Expr | NotDifferentiable]) -> list[Expr | NotDifferentiable]:
         """The slopes of an `if`; of a branch that the parameters' values exclude without proofs."""
         if not any(isinstance(slope, NotDifferentiable) for slope in args[1:]):
             return args
