@@ -132,6 +132,17 @@ class Code:
         return self.events.nnz_in(last) > 0 and self.events.jac_sparsity(0, last).nnz() > 0
 
     @cached_property
+    def delays_are_steady(self) -> bool:
+        """Whether what is delayed changes at events only, and by how much it is delayed never."""
+        delayed = self.discrete.delayed
+        moving = {"t": (0, 1, 2), "x": (0, 1, 2), "u": (0, 1, 2), "z": (0, 1, 2), "m": (1, 2), "d": (1, 2)}
+        return not any(
+            delayed.jac_sparsity(output, delayed.index_in(name)).nnz()
+            for name, outputs in moving.items()
+            for output in outputs
+        )
+
+    @cached_property
     def output_leaves(self) -> tuple[Expr, ...]:
         """States, inputs, every unknown of the blocks, discrete variables: what `outputs` returns."""
         return output_leaves(self.system)

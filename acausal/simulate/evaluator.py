@@ -84,7 +84,7 @@ class Evaluator:
         self.update = Buffered(code.discrete.update, given, before)
         self.memory = Buffered(code.discrete.memory, given, before)
         self.actions = Buffered(code.discrete.actions, given, before)
-        self.history = History(code.system) if code.system.delays else None
+        self.history = History(code.system, steady=code.delays_are_steady) if code.system.delays else None
         """The past of delayed expressions."""
         self.delayed = Buffered(code.discrete.delayed, given, before)
         self.roots = self.event.outputs[0]

@@ -3,12 +3,17 @@
 Values and slopes are kept at the ends of short pieces of the run and at both sides of events, and
 interpolated by cubics between them (Hermite); what is older than the longest delay is dropped. Pieces are not
 longer than the delays, so that the past is known; a delay that comes close to zero is extrapolated.
+
+What changes at events only, delayed by a parameter, is constant between known instants: each jump comes back
+as an event at its time plus the delay, and pieces may have any length.
 """
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
 import numpy as np
 
@@ -22,6 +27,8 @@ from acausal.symbolic.expressions.text import to_text
 _KEPT = 64
 """Points that are kept at least."""
 _ROUND = 1e-9
+_SAME = 1e-14
+"""Of the time: instants that differ by rounding are the same."""
 
 
 @dataclass(frozen=True)
@@ -37,17 +44,29 @@ class Sample:
 
 
 class History:
-    """The past of one run. Raises `SimulationProblem` (`simulate.delay`) for a delay that cannot be."""
+    """The past of one run. Raises `SimulationProblem` (`simulate.delay`) for a delay that cannot be.
 
-    def __init__(self, system: CausalSystem) -> None:
+    `steady`: all delayed expressions change at events only, and the delays never.
+    """
+
+    def __init__(self, system: CausalSystem, *, steady: bool = False) -> None:
         self._system = system
+        self._steady = steady
+        self._jumps: list[float] = []
         self._times: list[float] = []
         self._samples: list[Sample] = []
 
-    @property
-    def shortest(self) -> float:
-        """The shortest delay at the last sample."""
-        return float(self._samples[-1].lags.min())
+    def piece(self, most: float) -> float:
+        """How long the delayed values are known for: about the shortest delay, but `most` at most."""
+        if self._steady:
+            return math.inf
+        return min(most, max(float(self._samples[-1].lags.min()), 1e-3 * most))
+
+    def next_jump(self, time: float) -> float:
+        """When a delayed value jumps for the first time clearly after `time`; infinite if that is unknown."""
+        while self._jumps and self._jumps[0] - time <= _rounding(time):
+            heappop(self._jumps)
+        return self._jumps[0] if self._jumps else math.inf
 
     @property
     def size(self) -> int:
@@ -64,6 +83,9 @@ class History:
         wrong = ~((sample.lags >= 0) & (sample.lags <= sample.longest * (1 + _ROUND)))
         for i in np.flatnonzero(wrong):
             raise self._bad(sample, int(i))
+        if self._steady and self._samples:
+            for i in np.flatnonzero(sample.values != self._samples[-1].values):
+                heappush(self._jumps, sample.time + float(sample.lags[i]))
         self._times.append(sample.time)
         self._samples.append(sample)
         first = sample.time - float(sample.longest.max())
@@ -77,6 +99,8 @@ class History:
             return
         last = self._samples[-1]
         instants = time - (last.lags + (time - last.time) * last.lag_slopes)
+        if self._steady:
+            instants += _rounding(time)  # a jump is over where it happens
         for i, instant in enumerate(instants.tolist()):
             out[i] = self._value(i, instant)
 
@@ -101,3 +125,7 @@ class History:
         hint = f"it must lie between 0 and its longest value, {number(longest)} s"
         span = span_of(self._system, node)
         return fail(SimulationProblem, "simulate.delay", message, span, names=symbols([node]), hint=hint)
+
+
+def _rounding(time: float) -> float:
+    return _SAME * abs(time)

@@ -211,7 +211,7 @@ class _Loop:
         history = self.evaluator.history
         if history is None:
             return math.inf
-        return self._time + min(self.options.interval, max(history.shortest, 1e-3 * self.options.interval))
+        return self._time + history.piece(self.options.interval)
 
     def _keep_past(self) -> None:
         if self.evaluator.history is not None:
@@ -374,6 +374,8 @@ class _Loop:
             self._sweeper = self.solver if isinstance(self.solver, Sweeper) else None
         self._keep_past()
         self._next = self._schedule.next(self.evaluator, self._time)
+        if self.evaluator.history is not None:
+            self._next = min(self._next, self.evaluator.history.next_jump(self._time))
         if self.solver is not None:
             self.evaluator.at(self._time, self._x)
             self.evaluator.hold(1e4 * self._ahead)

@@ -66,3 +66,44 @@ def test_what_is_older_than_the_longest_delay_is_dropped() -> None:
     found = np.zeros(1)
     history.fill(99.995, found)
     assert found[0] == pytest.approx(98.995)
+
+
+def test_what_changes_at_events_only_comes_back_as_an_event() -> None:
+    model = acausal.loads(
+        """model M
+          parameter Real lag = 0.01;
+          Boolean up(start = false, fixed = true), late;
+          Integer n(start = 0, fixed = true);
+          Real y = delay(if up then 1.0 else 0.0, lag);
+        equation
+          when {time >= 1, time >= 1.001, time >= 3, time >= 90} then up = not pre(up); end when;
+          late = y > 0.5;
+          when change(late) then n = pre(n) + 1; end when;
+        end M;"""
+    ).compile()
+    result = model.simulate(stop_time=100.0)
+    assert result.values("n")[-1] == 4
+    assert result.statistics.events == 8
+    assert result.statistics.steps < 1000
+    time = result.time
+    late = ((time >= 1.01) & (time < 1.011)) | ((time >= 3.01) & (time < 90.01))
+    far = np.min(np.abs(time[:, None] - [1.01, 1.011, 3.01, 90.01]), axis=1) > 1e-9
+    assert (result.values("late")[far] == late[far]).all()
+
+
+@pytest.mark.parametrize(
+    ("delayed", "steady"),
+    [
+        ("if up then 1.0 else 0.0, 0.1", True),
+        ("if time < 0.3 then 1.0 else 0.0, 0.1", True),
+        ("noEvent(if time < 0.3 then 1.0 else 0.0), 0.1", False),
+        ("if up then x else 0.0, 0.1", False),
+        ("if up then 1.0 else 0.0, if up then 0.1 else 0.2, 0.3", False),
+    ],
+)
+def test_what_counts_as_steady(delayed: str, steady: bool) -> None:
+    text = (
+        "model M Real x(start = 0, fixed = true); Boolean up = x > 0.5; Real y;"
+        f" equation der(x) = 1; y = delay({delayed}); end M;"
+    )
+    assert acausal.loads(text).compile().code.delays_are_steady == steady
