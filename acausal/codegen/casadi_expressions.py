@@ -64,6 +64,15 @@ def _select(args: list[SX]) -> SX:
     return SX.binary(ca.OP_ADD, taken, other)
 
 
+def _root(args: list[SX]) -> SX:
+    """`sqrt(x)`; of `max(0, u)` as an `if`: its slope is infinite where that of `max` is 0."""
+    (x,) = args
+    if x.is_op(ca.OP_FMAX) and any(x.dep(i).is_zero() for i in (0, 1)):
+        u = x.dep(1 if x.dep(0).is_zero() else 0)
+        return SX.binary(ca.OP_IF_ELSE_ZERO, SX.binary(ca.OP_LT, SX(0.0), u), SX.unary(ca.OP_SQRT, u))
+    return SX.unary(ca.OP_SQRT, x)
+
+
 def _log10(args: list[SX]) -> SX:
     return ca.log10(args[0])
 
@@ -120,7 +129,7 @@ CONSTRUCTORS: dict[str, _Build] = {
     "exp": _unary(ca.OP_EXP),
     "log": _unary(ca.OP_LOG),
     "log10": _log10,
-    "sqrt": _unary(ca.OP_SQRT),
+    "sqrt": _root,
     "abs": _unary(ca.OP_FABS),
     "sign": _unary(ca.OP_SIGN),
     "min": _binary(ca.OP_FMIN),

@@ -41,6 +41,8 @@ class Group:
     links: list[Link] = field(default_factory=list[Link])
     pinned: Pinned | None = None
     level: int = 0
+    fixed: str = ""
+    """Of discrete variables, a member whose value before the start is fixed."""
 
     @property
     def members(self) -> list[str]:
@@ -83,6 +85,7 @@ class Classes:
         big.links += small.links
         big.links.append(link)
         big.pinned = big.pinned or small.pinned
+        big.fixed = big.fixed or small.fixed
         big.level = max(big.level, small.level, level)
 
     def pin(self, pinned: Pinned, level: int) -> None:

@@ -14,7 +14,7 @@ from acausal.symbolic.alias_errors import (
     redundant_link,
     two_values,
 )
-from acausal.symbolic.attributes import representative_key, signed
+from acausal.symbolic.attributes import representative_key, same_value, signed, start_or_default
 from acausal.symbolic.describe import base_name
 from acausal.symbolic.expressions.diff import NotDifferentiable
 from acausal.symbolic.expressions.expr import (
@@ -201,7 +201,25 @@ class AliasSearch:
             return False
         if first.variability != second.variability:
             return False
-        return first.type == second.type and (sign > 0 or first.type.name in ("Real", "Integer"))
+        if first.type != second.type or (sign < 0 and first.type.name not in ("Real", "Integer")):
+            return False
+        return first.variability is Variability.CONTINUOUS or self._start_alike(a, b, sign)
+
+    def _start_alike(self, a: str, b: str, sign: int) -> bool:
+        """Whether discrete variables agree before the start: `fixed` is about `pre(v)` there (8.6)."""
+        first, second = self._fixed_value(a), self._fixed_value(b)
+        if first is None or second is None:
+            return True
+        return same_value(first, signed(second, sign), self.values) is not False
+
+    def _fixed_value(self, name: str) -> Expr | None:
+        """What the start of a member of its class says of a discrete variable's value before the start."""
+        group = self.classes.find(name)
+        fixed = name if self._unknown[name].fixed else "" if group is None else group.fixed
+        if not fixed:
+            return None
+        sign = 1 if group is None else group.signs[name] * group.signs[fixed]
+        return signed(start_or_default(self._unknown[fixed], self.values), sign)
 
     def _sign_of_pair(self, left: Expr, right: Expr) -> int | None:
         """+1 for a = b, -1 for a = -b (also as sums, also with equal literal factors), else None."""
@@ -227,6 +245,8 @@ class AliasSearch:
             if first is not None and second is not None:
                 raise self._two_values(link.equation, link.a, signed(second, link.sign), first, link.b)
             self.classes.link(link, self.level[link.equation])
+            group = self.classes.of(link.a)
+            group.fixed = group.fixed or next((n for n in (link.a, link.b) if self._unknown[n].fixed), "")
         self.live[link.equation] = False
         touched[link.a] = None
 

@@ -144,3 +144,10 @@ def test_relations_at_equality(op: str) -> None:
 def test_what_has_no_code_is_refused(root: Expr) -> None:
     with pytest.raises(UnsupportedProblem):
         to_casadi([root], {A: SX.sym("a")})
+
+
+def test_root_of_what_is_not_below_zero_has_a_slope_below_zero() -> None:
+    x = SX.sym("x")
+    (root,) = to_casadi([e.function("sqrt", e.function("max", e.ZERO, sym("x")))], {sym("x"): x})
+    run = Function("run", [x], [root, jacobian(root, x)])
+    assert [[float(v) for v in run(at)] for at in (-1.0, 0.0, 4.0)] == [[0, 0], [0, 0], [2, 0.25]]

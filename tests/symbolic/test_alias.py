@@ -311,3 +311,18 @@ def test_plain_pairs_are_those_that_rewriting_would_find() -> None:
     rewritten = simplified(model("2 * x = 2 * y", "-y = z", "z = w", "der(w) = w"))
     assert {a.name: a.value for a in plain.aliases} == {a.name: a.value for a in rewritten.aliases}
     assert [(a.name, to_text(a.value)) for a in plain.aliases] == [("x", "-w"), ("y", "-w"), ("z", "w")]
+
+
+def test_equal_discrete_variables_may_differ_before_the_start() -> None:
+    text = """model M
+      Integer i(start = 3, fixed = true), k(start = 5, fixed = true), n(start = 0, fixed = true);
+      Integer a = pre(i), b = pre(k), alone(start = 5, fixed = true);
+    equation
+      when sample(1, 1) then n = pre(n) + 1; end when;
+      i = n;
+      k = i;
+      alone = k;
+    end M;"""
+    result = acausal.loads(text).compile().simulate(stop_time=1.5)
+    values = [[int(result.values(name)[k]) for name in ("a", "b", "k", "alone")] for k in (0, -1)]
+    assert values == [[0, 0, 0, 0], [1, 1, 1, 1]]
