@@ -16,6 +16,7 @@ enum {
     AC_PAUSE = 3,     /* `budget` steps were taken */
     AC_VIOLATED = 4,  /* a condition is false at the row written last */
     AC_REFUSED = 5,   /* inside: a step has to be made in another way */
+    AC_CROWDED = 6,   /* events accumulate, see cruise.h */
     AC_NOT_FINITE = -1,     /* derivatives are not finite, with the shortest step too; at the model's `t`, `x` */
     AC_STEP_TOO_SMALL = -2, /* the error test fails with the shortest step */
     AC_TOO_MANY_STEPS = -3,
@@ -132,6 +133,7 @@ typedef struct {
     int *crossed;
     int have_step, have_f0, have_old, have_jacobian, have_dense, have_end, first, last_rejected;
     int pause, longer;         /* limited steps until RODAS3 is tried again, and after its next failure */
+    int room, pending;         /* rows that `ac_sweep` may write, 0: any number; an event is found, rows before it lack */
     double h_next, h_accepted, err_accepted, h_old;
     ac_long index;             /* fixed steps: number of the next grid point */
     ac_lu lu;
@@ -162,7 +164,8 @@ void ac_lu_init(ac_lu *lu, double *doubles, int *ints, int entries_w);
  * looked for. Returns 0 or an error. */
 int ac_restart(ac_solver *s, double t, const double *x, const double *side, const double *slack);
 /* Integrates to `until`; writes outputs at the `count` times of `grid` (increasing, at most `until`) to
- * `rows`, one after the other, and their number to `filled`. */
+ * `rows`, one after the other, and their number to `filled`. Where there is no more room, AC_ROWS: the next call, with
+ * the grid points that are left, goes on. */
 int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled);
 /* The rows that `ac_sweep` would have written had it been given these grid points: up to where it is. */
 int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *filled);
@@ -176,6 +179,8 @@ double ac_clock(void);
 /* Inside the run-time. */
 int ac_call(const ac_function *f);
 int ac_finite(const double *v, int n);
+void ac_place(ac_model *m, double t, const double *x);
+int ac_blocks(ac_model *m);
 int ac_slope(ac_model *m, double t, const double *x, double *f);
 int ac_matrix(ac_model *m, double t, const double *x);
 int ac_rate(ac_model *m, double t, const double *x, const double *f, double span, double *rate);

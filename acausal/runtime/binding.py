@@ -22,11 +22,13 @@ RESCUE = ctypes.CFUNCTYPE(c_int, c_void_p, c_int)
 _DOUBLES, _INTS = c_void_p, c_void_p
 
 
-def _pointers(names: str) -> list[tuple[str, type[c_void_p]]]:
+def pointers(names: str) -> list[tuple[str, type[c_void_p]]]:
+    """Fields that are pointers."""
     return [(name, c_void_p) for name in names.split()]
 
 
-def _typed(names: str, of: type[c_int | c_double | c_longlong]) -> list[tuple[str, type]]:
+def typed(names: str, of: type[c_int | c_double | c_longlong]) -> list[tuple[str, type]]:
+    """Fields of one type of numbers."""
     return [(name, of) for name in names.split()]
 
 
@@ -40,7 +42,7 @@ class FunctionStructure(Structure):
     res: int
     iw: int
     w: int
-    _fields_ = [*_pointers("entry machine self arg res iw w")]
+    _fields_ = [*pointers("entry machine self arg res iw w")]
 
 
 class TableStructure(Structure):
@@ -50,7 +52,7 @@ class TableStructure(Structure):
     count: int
     times: int
     values: int
-    _fields_ = [*_typed("position count at", c_int), *_pointers("times values")]
+    _fields_ = [*typed("position count at", c_int), *pointers("times values")]
 
 
 class ModelStructure(Structure):
@@ -92,14 +94,14 @@ class ModelStructure(Structure):
     evaluations: int
     jacobians: int
     _fields_ = [
-        *_typed("states crossings guesses outputs conditions entries", c_int),
-        *_pointers("t x guess z xdot jacobian rate roots sizes row ok"),
+        *typed("states crossings guesses outputs conditions entries", c_int),
+        *pointers("t x guess z xdot jacobian rate roots sizes row ok"),
         *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
-        *_pointers("u tables"),
-        *_typed("table_count", c_int),
-        *_pointers("fill rescue owner"),
-        *_typed("autonomous exact_rate takes_solution unchecked free_roots settled", c_int),
-        *_typed("evaluations jacobians", c_longlong),
+        *pointers("u tables"),
+        *typed("table_count", c_int),
+        *pointers("fill rescue owner"),
+        *typed("autonomous exact_rate takes_solution unchecked free_roots settled", c_int),
+        *typed("evaluations jacobians", c_longlong),
     ]
 
 
@@ -114,10 +116,10 @@ class LuStructure(Structure):
     searches: int
     repeats: int
     _fields_ = [
-        *_typed("n capacity", c_int),
-        *_pointers("ap ai q ax pinv lp li up ui lx ux ud work mark stack place reach"),
-        *_typed("factored", c_int),
-        *_typed("searches repeats", c_longlong),
+        *typed("n capacity", c_int),
+        *pointers("ap ai q ax pinv lp li up ui lx ux ud work mark stack place reach"),
+        *typed("factored", c_int),
+        *typed("searches repeats", c_longlong),
     ]
 
 
@@ -145,6 +147,7 @@ class SolverStructure(Structure):
     h: float
     x: int
     x0: int
+    room: int
     crossed: int
     lu: LuStructure
     index: int
@@ -157,26 +160,27 @@ class SolverStructure(Structure):
     error_failures: int
     convergence_failures: int
     _fields_ = [
-        *_pointers("model"),
-        *_typed("method locate", c_int),
-        *_typed("rtol", c_double),
-        *_pointers("atol nominal"),
-        *_typed("min_step max_step step origin sample", c_double),
-        *_typed("max_steps", c_longlong),
-        *_pointers("clock jmap diagonal"),
-        *_typed("t t0 t1 h", c_double),
-        *_pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 stage k scale ratio error"),
-        *_pointers("side slack slack0 g_old g_new g_try g_mid crossed"),
-        *_typed(
-            "have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected pause longer",
+        *pointers("model"),
+        *typed("method locate", c_int),
+        *typed("rtol", c_double),
+        *pointers("atol nominal"),
+        *typed("min_step max_step step origin sample", c_double),
+        *typed("max_steps", c_longlong),
+        *pointers("clock jmap diagonal"),
+        *typed("t t0 t1 h", c_double),
+        *pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 stage k scale ratio error"),
+        *pointers("side slack slack0 g_old g_new g_try g_mid crossed"),
+        *typed(
+            "have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected "
+            "pause longer room pending",
             c_int,
         ),
-        *_typed("h_next h_accepted err_accepted h_old", c_double),
-        *_typed("index", c_longlong),
+        *typed("h_next h_accepted err_accepted h_old", c_double),
+        *typed("index", c_longlong),
         ("lu", LuStructure),
-        *_typed("steps rejected failures", c_longlong),
-        *_typed("latest longest read", c_double),
-        *_pointers("influence error_failures convergence_failures"),
+        *typed("steps rejected failures", c_longlong),
+        *typed("latest longest read", c_double),
+        *pointers("influence error_failures convergence_failures"),
     ]
 
 

@@ -72,7 +72,7 @@ static void fill(ac_model *m, double t)
     }
 }
 
-static void place(ac_model *m, double t, const double *x)
+void ac_place(ac_model *m, double t, const double *x)
 {
     if (m->settled && m->t[0] == t && (m->states == 0 || memcmp(m->x, x, bytes(m->states)) == 0)) {
         return;
@@ -92,7 +92,7 @@ void ac_known(ac_model *m, double t, const double *x, const double *f, const dou
         return;
     }
     m->settled = 0;
-    place(m, t, x);
+    ac_place(m, t, x);
     memcpy(m->xdot, f, bytes(m->states));
     memcpy(m->z, z, bytes(m->guesses));
     memcpy(m->guess, z, bytes(m->guesses));
@@ -100,7 +100,7 @@ void ac_known(ac_model *m, double t, const double *x, const double *f, const dou
 }
 
 /* Solves the implicit blocks at the point that is placed. What they find is the next guess. */
-static int solved(ac_model *m)
+int ac_blocks(ac_model *m)
 {
     if (m->settled) {
         return 0;
@@ -147,8 +147,8 @@ int ac_slope(ac_model *m, double t, const double *x, double *f)
     if (m->ode.entry != NULL && m->guesses == 0 && m->states > 0) {
         return direct(m, t, x, f);
     }
-    place(m, t, x);
-    int code = solved(m);
+    ac_place(m, t, x);
+    int code = ac_blocks(m);
     if (code == 0 && m->states > 0) {
         memcpy(f, m->xdot, bytes(m->states));
     }
@@ -157,12 +157,12 @@ int ac_slope(ac_model *m, double t, const double *x, double *f)
 
 int ac_matrix(ac_model *m, double t, const double *x)
 {
-    place(m, t, x);
+    ac_place(m, t, x);
     m->jacobians++;
     if (m->entries == 0) {
         return 0;
     }
-    if (m->takes_solution && m->guesses > 0 && solved(m) != 0) {
+    if (m->takes_solution && m->guesses > 0 && ac_blocks(m) != 0) {
         return AC_NOT_FINITE;
     }
     m->jacobian[0] = NAN;
@@ -181,7 +181,7 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
     }
     if (m->exact_rate) {
         if (m->exact_rate == 1) {
-            place(m, t, x);
+            ac_place(m, t, x);
             m->rate[0] = NAN;
             if (ac_call(&m->derivative) != 0) {
                 return AC_NOT_FINITE;
@@ -206,8 +206,8 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
 
 int ac_roots(ac_model *m, double t, const double *x, double *g)
 {
-    place(m, t, x);
-    if (m->guesses > 0 && !m->free_roots && solved(m) != 0) {
+    ac_place(m, t, x);
+    if (m->guesses > 0 && !m->free_roots && ac_blocks(m) != 0) {
         return AC_NOT_FINITE;
     }
     m->roots[0] = NAN;
@@ -218,8 +218,8 @@ int ac_roots(ac_model *m, double t, const double *x, double *g)
 
 int ac_row(ac_model *m, double t, const double *x, double *row)
 {
-    place(m, t, x);
-    int fine = m->guesses > 0 ? solved(m) == 0 : 1;
+    ac_place(m, t, x);
+    int fine = m->guesses > 0 ? ac_blocks(m) == 0 : 1;
     if (m->outputs > 0) {
         m->row[0] = NAN;
         fine = ac_call(&m->output) == 0 && fine && ac_finite(m->row, m->outputs);

@@ -49,6 +49,7 @@ void ac_init(ac_solver *s, double *doubles, int *ints)
     s->lu.searches = s->lu.repeats = 0;
     s->latest = s->longest = 0.0;
     s->have_step = 0;
+    s->room = s->pending = 0;
 }
 
 void ac_interpolate(const ac_solver *s, double t, double *x)
@@ -78,6 +79,7 @@ int ac_restart(ac_solver *s, double t, const double *x, const double *side, cons
     }
     s->have_step = s->have_f0 = s->have_old = s->have_jacobian = s->have_end = 0;
     s->pause = s->longer = 1;
+    s->pending = 0;
     s->first = 1;
     s->last_rejected = 0;
     s->err_accepted = 1e-2;
@@ -254,15 +256,21 @@ static int finally(ac_solver *s, int code, const double *grid, int count, double
 
 int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long budget, double *rows, int *filled)
 {
-    int event = 0;
+    int event = s->pending;
+    int fit = s->room > 0 && s->room < count ? s->room : count;
+    s->pending = 0;
     *filled = 0;
     if (s->clock != NULL) {
         s->read = s->clock();
     }
     for (;;) {
-        int code = ac_written(s, grid, count, rows, filled);
+        int code = ac_written(s, grid, fit, rows, filled);
         if (code != 0) {
             return code;
+        }
+        if (fit < count && *filled == fit && grid[fit] <= s->t) {
+            s->pending = event;
+            return AC_ROWS;
         }
         if (event) {
             return AC_EVENT;
@@ -278,7 +286,7 @@ int ac_sweep(ac_solver *s, const double *grid, int count, double until, ac_long 
         }
         code = moved(s, until);
         if (code != 0 && code != AC_EVENT) {
-            return finally(s, code, grid, count, rows, filled);
+            return finally(s, code, grid, fit, rows, filled);
         }
         event = code == AC_EVENT;
     }

@@ -53,10 +53,12 @@ class Evaluator:
         self.shift = np.zeros(len(code.located))
         """What integrators add to the located roots, see `hold`."""
         self._above = np.array([code.relations[i].op in ("gt", "ge") for i in code.located], dtype=np.bool_)
-        self._sizes = np.full(len(code.located), 1e-3)
+        self.band = np.full(len(code.located), 1e-3)
+        """The largest sum of both sides' absolute values so far, of each located root."""
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
-        self._settled = self.guess.copy()
+        self.settled_z = self.guess.copy()
+        """The solution of the blocks at the last event."""
         self._walks, self._in_vain = 0, 0
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
@@ -152,9 +154,9 @@ class Evaluator:
         roots, sizes = self.roots[self.located], self.sizes[self.located]
         if not np.isfinite(sizes).all():
             sizes = np.nan_to_num(sizes, posinf=0.0)
-        self._sizes = np.maximum(self._sizes, sizes)
+        np.maximum(self.band, sizes, out=self.band)
         side = np.where(self._above == (self.m[self.located] != 0.0), 1.0, -1.0)
-        band = HYSTERESIS * self._sizes
+        band = HYSTERESIS * self.band
         slack = np.where(side * roots > _CLEAR * sizes, 0.0, np.maximum(1.01 * np.abs(roots), 1e-9 * sizes))
         if (np.abs(roots) <= band).any():
             rests = (np.abs(roots) <= band) & (np.abs(self._later(ahead) - roots) <= _REST * band)
@@ -175,7 +177,7 @@ class Evaluator:
     def is_zero(self, roots: Vector, band: float) -> NDArray[np.bool_]:
         """Which located roots are smaller than `band`, relative to the largest sides met so far."""
         result = np.zeros(len(roots), dtype=np.bool_)
-        result[self.located] = np.abs(roots[self.located]) <= band * self._sizes
+        result[self.located] = np.abs(roots[self.located]) <= band * self.band
         return result
 
     def within(self, roots: Vector) -> NDArray[np.bool_]:
@@ -185,7 +187,7 @@ class Evaluator:
         is solved for, as the path parameter of a diode is, has the rounding of all that is solved with it.
         """
         result = np.zeros(len(roots), dtype=np.bool_)
-        close = np.maximum(np.abs(self.shift), _ROUNDING * self._sizes)
+        close = np.maximum(np.abs(self.shift), _ROUNDING * self.band)
         result[self.located] = np.abs(roots[self.located]) <= close
         return result
 
@@ -230,7 +232,7 @@ class Evaluator:
     def _solved_otherwise(self) -> bool:
         """From where blocks were settled, or by damped iterations: a refused step may mislead the guess."""
         misled = self.guess.copy()
-        self.guess[:] = self._settled
+        self.guess[:] = self.settled_z
         if self.ode() and np.isfinite(self.z).all():
             return True
         self.guess[:] = misled
@@ -250,16 +252,16 @@ class Evaluator:
             if not self.evaluate():
                 self.z[:] = self.guess
                 self.xdot[:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
-        self._settled[:] = self.z
+        self.settled_z[:] = self.z
 
     def _explained(self) -> Vector:
         """From the guess, which a trial step may have left far away, else from where blocks were settled."""
         try:
             return self.explain()
         except SimulationProblem:
-            if np.array_equal(self.guess, self._settled):
+            if np.array_equal(self.guess, self.settled_z):
                 raise
-            self.guess[:] = self._settled
+            self.guess[:] = self.settled_z
             return self.explain()
 
     def explain(self) -> Vector:
@@ -276,7 +278,7 @@ class Evaluator:
         """
         self._walks += 1
         inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
-        settled = dict(zip(map(leaf_name, self.code.dynamic.guesses), self._settled.tolist(), strict=True))
+        settled = dict(zip(map(leaf_name, self.code.dynamic.guesses), self.settled_z.tolist(), strict=True))
         slots, values = self.code.dynamic.slots, None
         attempts = [(self.guess_of(), True), (settled, True)]
         if self._walks <= _LONG_WALKS and self._in_vain < _IN_VAIN:

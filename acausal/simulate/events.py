@@ -7,8 +7,7 @@ with the mode that fits, instead of sticking to it.
 
 from __future__ import annotations
 
-from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -155,44 +154,64 @@ def _check(evaluator: Evaluator, roots: Vector, time: float) -> None:
     raise SimulationProblem(Diagnostic("simulate.not-finite", message, crossing.span, names, hint))
 
 
-@dataclass
 class EventGuard:
-    """Counts events, and tells an accumulation (Zeno behaviour) from many events."""
+    """Counts events, and tells an accumulation (Zeno behaviour) from many events.
 
-    system: CausalSystem
-    span: float
-    count: int = 0
-    _recent: deque[tuple[float, NDArray[np.bool_]]] = field(default_factory=lambda: deque(maxlen=ZENO_EVENTS))
+    The run-time in C does the same in the same arrays.
+    """
+
+    def __init__(self, system: CausalSystem, span: float) -> None:
+        self.count = 0
+        """Stops at which something happened."""
+        self.stops = 0
+        self.shortest = ZENO_SHARE * span
+        """So many stops as are remembered within this time are an accumulation."""
+        self.resolved = RESOLVED * min(span, 1.0)
+        """So are some whose distances shrink below this time."""
+        self.recent = np.zeros(ZENO_EVENTS)
+        """When the last stops were, in turn."""
+        width = len(system.events) + len(system.discrete.unknowns)
+        self.involved = np.zeros((ZENO_EVENTS, width), np.uint8)
+        self._system = system
 
     def add(self, time: float, changed: NDArray[np.bool_], happened: bool) -> None:
         """Notes one stop, which modes and discrete values were involved, and whether it was an event.
 
         Raises `SimulationProblem` (`simulate.zeno`) where they accumulate.
         """
+        place = self.stops % ZENO_EVENTS
         self.count += happened
-        self._recent.append((time, changed))
-        dense = len(self._recent) == ZENO_EVENTS and time - self._recent[0][0] <= ZENO_SHARE * self.span
-        if dense or self._shrinks():
-            raise self._accumulation(time)
+        self.stops += 1
+        self.recent[place], self.involved[place] = time, changed
+        if self._is_dense() or self._shrinks():
+            raise self.crowded()
+
+    def _times(self) -> Vector:
+        """Of the stops that are remembered, in order."""
+        count = min(self.stops, ZENO_EVENTS)
+        return self.recent[np.arange(self.stops - count, self.stops) % ZENO_EVENTS]
+
+    def _is_dense(self) -> bool:
+        times = self._times()
+        return len(times) == ZENO_EVENTS and bool(times[-1] - times[0] <= self.shortest)
 
     def _shrinks(self) -> bool:
         """Whether the time between stops goes to zero like a geometric series, and has all but got there."""
-        if len(self._recent) < SHRINKING:
+        if self.stops < SHRINKING:
             return False
-        times = np.array([self._recent[i][0] for i in range(-SHRINKING, 0)])
+        times = self._times()[-SHRINKING:]
         pairs = times[2:] - times[:-2]
-        if not pairs[-1] <= min(RESOLVED * min(self.span, 1.0), 1e-2 * pairs[0]):
+        if not pairs[-1] <= min(self.resolved, 1e-2 * pairs[0]):
             return False
         return bool((pairs[1:] <= pairs[:-1]).all())
 
-    def _accumulation(self, time: float) -> SimulationProblem:
-        involved = np.any(np.array([c for _, c in self._recent]), axis=0)
-        own = self.system.events
+    def crowded(self) -> SimulationProblem:
+        """The stops that are remembered are an accumulation."""
+        system, times = self._system, self._times()
+        involved = [bool(column.any()) for column in self.involved[: len(times)].T]
+        own, samples = system.events, system.discrete.samples
         crossings = [c for c, on in zip(own, involved, strict=False) if on]
-        variables = [
-            a for a, on in zip(self.system.discrete.assignments, involved[len(own) :], strict=True) if on
-        ]
-        samples = self.system.discrete.samples
+        variables = [a for a, on in zip(system.discrete.assignments, involved[len(own) :], strict=True) if on]
         what = "the conditions " + some([crossing_text(crossing) for crossing in crossings])
         hint = "the time between events shrinks to zero (Zeno): add a hysteresis, a dwell time or damping"
         if not crossings and variables:
@@ -200,14 +219,13 @@ class EventGuard:
         elif not crossings and samples:
             what = some([f"`{to_text(node)}`" for node in samples])
             hint = "the interval is too short beside the simulated time"
-        count, last = len(self._recent), self._recent[-1][0]
-        dense = f"{count} within {last - self._recent[0][0]:.3g} s"
-        if count < ZENO_EVENTS or last - self._recent[0][0] > ZENO_SHARE * self.span:
-            dense = f"the last of {count} are only {last - self._recent[-2][0]:.3g} s apart"
-        message = f"events accumulate {at(time)}: {dense}, all by {what}"
+        dense = f"{len(times)} within {times[-1] - times[0]:.3g} s"
+        if not self._is_dense():
+            dense = f"the last of {len(times)} are only {times[-1] - times[-2]:.3g} s apart"
+        message = f"events accumulate {at(float(times[-1]))}: {dense}, all by {what}"
         names = symbols([*(c.relation for c in crossings), *(a.unknown for a in variables)])
         spans = [*(c.span for c in crossings), *(a.equation.flat.span for a in variables)]
         if not spans:
-            spans = [span_of(self.system, node) for node in samples] or [self.system.flat.span]
+            spans = [span_of(system, node) for node in samples] or [system.flat.span]
             names = symbols(samples)
         return SimulationProblem(Diagnostic("simulate.zeno", message, spans[0], names, hint))

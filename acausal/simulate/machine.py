@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from numpy.typing import NDArray
 from acausal.codegen.c_text import c_text, event_functions, run_functions
 from acausal.codegen.functions import Code
 from acausal.codegen.kernels import is_evaluated_in_python
+from acausal.errors import UnsupportedProblem
 from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
 from acausal.simulate.matrices import Vector
@@ -80,6 +82,16 @@ class Machine:
     def _operations(self, name: str) -> int:
         text = self.sources.files.get(f"{name}.c", "")
         return text.count(";\n")
+
+    def take(self, compiled: bool | None, steps: float, evaluations: float) -> None:
+        """Takes compiled functions if wanted, or if so many steps with so many evaluations make it pay."""
+        if compiled is None:
+            self.look_up()
+            if self.library is None and self.pays(steps, evaluations):
+                with suppress(UnsupportedProblem):  # the virtual machine does it too
+                    self.compile()
+        elif compiled:
+            self.compile()
 
     def look_up(self) -> None:
         """Takes the compiled functions if they are in the cache."""

@@ -21,10 +21,22 @@ class Memory:
 
     kept: list[object] = field(default_factory=list[object])
 
-    def array(self, array: Vector | NDArray[np.int32] | NDArray[np.int64]) -> int:
+    def array(self, array: Vector | NDArray[np.int32] | NDArray[np.int64] | NDArray[np.uint8]) -> int:
         """Keeps an array, and says where it is."""
         self.kept.append(array)
         return pointer(array)
+
+
+def numbers(address: int, count: int) -> Vector:
+    """The numbers that stand there, as an array over them."""
+    if not count:
+        return np.zeros(0)
+    return np.ctypeslib.as_array((ctypes.c_double * count).from_address(address))
+
+
+def flags(address: int, count: int) -> NDArray[np.int_]:
+    """A copy of the C integers that stand there."""
+    return np.ctypeslib.as_array((ctypes.c_int * count).from_address(address)).astype(np.int_)
 
 
 def table_structures(tables: Sequence[tuple[int, Table]], memory: Memory) -> ctypes.Array[TableStructure]:

@@ -8,13 +8,12 @@ own.
 from __future__ import annotations
 
 import ctypes
-from contextlib import suppress
+from dataclasses import replace
 from time import perf_counter, process_time
 
 import numpy as np
-from numpy.typing import NDArray
 
-from acausal.errors import AcausalError, UnsupportedProblem
+from acausal.errors import AcausalError
 from acausal.runtime import binding
 from acausal.runtime.binding import (
     FILL,
@@ -24,15 +23,20 @@ from acausal.runtime.binding import (
     RunTime,
     SolverStructure,
 )
+from acausal.runtime.event_binding import CROWDED
 from acausal.simulate.buffered import Robust
+from acausal.simulate.cruise import Cruise, Stretch, is_possible
 from acausal.simulate.elimination import eliminate
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.events import operators
+from acausal.simulate.events import EventGuard, operators
 from acausal.simulate.failures import COLLAPSED, failure
 from acausal.simulate.machine import WORTH, bound, machine_of, pointer
 from acausal.simulate.matrices import Vector
-from acausal.simulate.memory import Memory, table_structures
-from acausal.simulate.solver import BATCH, SLOW_BATCHES, Arrival, Influence, Sweep, Tolerances, Work
+from acausal.simulate.memory import Memory, flags, numbers, table_structures
+from acausal.simulate.pace import Pace
+from acausal.simulate.schedule import Schedule, is_reached
+from acausal.simulate.settle import Settling
+from acausal.simulate.solver import Arrival, Influence, Sweep, Tolerances, Work
 
 _BUDGET = 2_000
 """Steps after which the run-time returns for a moment, so that a run can be interrupted."""
@@ -64,32 +68,23 @@ class NativeSolver:
         self._solver = SolverStructure()
         self._arrays: dict[str, Vector] = {}
         self._robust: Robust | None = None
+        self._events: Cruise | None = None
         rising = [1.0 if op in ("gt", "ge") else -1.0 for op in operators(evaluator.code.system)]
         self._rising = np.array(rising)
         self._elimination = eliminate(evaluator.code.pattern, evaluator.x.size)
         self._time, self._x = tolerances.start, evaluator.x.copy()
         self._error_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
         self._convergence_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
-        self._take_functions(method)
+        step = tolerances.max_step if method == "rodas" else tolerances.step
+        self._machine.take(compiled, step and tolerances.span / step, _EVALUATIONS[method])
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
         self._failed = 0
         width = self._model.outputs
         self._rows = np.zeros((max(1, _CHUNK // max(1, width)), width))
-        self._judged, self._slow = (0, tolerances.start), 0
+        self._pace = Pace(tolerances)
         self._compiling = process_time() - began
-
-    def _take_functions(self, method: str) -> None:
-        machine, limits = self._machine, self._limits
-        if self._compiled is None:
-            machine.look_up()
-            step = limits.max_step if method == "rodas" else limits.step
-            if machine.library is None and machine.pays(step and limits.span / step, _EVALUATIONS[method]):
-                with suppress(UnsupportedProblem):  # the virtual machine does it too
-                    machine.compile()
-        elif self._compiled:
-            machine.compile()
 
     @property
     def is_compiled(self) -> bool:
@@ -153,6 +148,8 @@ class NativeSolver:
         library = self._machine.library if self.is_compiled else None
         if library is not None:
             self._evaluator.compile(library)
+        if self._events is not None:
+            self._events.bind(library)
         arrays = self._arrays
         results = {
             "ode": [arrays["xdot"], arrays["z"]],
@@ -248,15 +245,10 @@ class NativeSolver:
         """What every state did to the step size so far."""
         size = self._evaluator.x.size
         return Influence(
-            self._view(self._solver.influence, size).copy(),
+            numbers(self._solver.influence, size).copy(),
             self._error_failures[:size].copy(),
             self._convergence_failures[:size].copy(),
         )
-
-    def _view(self, address: int, size: int) -> Vector:
-        if not size:
-            return np.zeros(0)
-        return np.ctypeslib.as_array((ctypes.c_double * size).from_address(address))
 
     def restart(self, time: float, x: Vector) -> None:
         """Begins anew at this point. Raises `SimulationProblem` where a root is not a number."""
@@ -310,68 +302,69 @@ class NativeSolver:
         if self._failed:
             raise self._failure(self._failed)
         end = min(until, self._evaluator.inputs.next_kink(self._time))
-        most = len(self._rows)
-        wanted = np.ascontiguousarray(targets[: np.searchsorted(targets, end, "right")])
-        if len(wanted) > most:  # the rest comes with the next call: nothing beyond may happen before
-            wanted = wanted[:most]
-            end = float(wanted[-1])
-        rows = self._rows[: len(wanted)]
-        filled = ctypes.c_int(0)
-        code = self._call(wanted, end, rows, filled)
+        found = self._stretch(targets, end)
         self._look_for_interrupts()
-        done = filled.value
+        code, times, rows, taken = found.code, found.times, found.rows, found.taken
         if code < 0 and code != binding.ROW_NOT_FINITE:
-            if not done:
+            if not len(times):
                 raise self._failure(code)
             self._failed = code  # the rows so far first
-            return Sweep(self._time, self._x, None, wanted[:done], rows[:done], False, False)
+            return Sweep(self._time, self._x, None, times, rows, False, False, taken)
         suspect = code in (binding.VIOLATED, binding.ROW_NOT_FINITE)
-        arrived = code in (binding.REACHED, binding.EVENT)
-        self._judge(code)
+        arrived = code in (binding.REACHED, binding.EVENT, CROWDED)
+        if code == binding.PAUSE and self._pace.is_hopeless(self._solver.steps, self._solver.t):
+            raise self._failure(COLLAPSED)
         if suspect:
             time, x = float(self._arrays["t"][0]), self._arrays["x"].copy()
-            return Sweep(time, x, None, wanted[:done], rows[:done], True, False)
-        x = self._view(self._solver.x, self._evaluator.x.size).copy() if arrived else self._x
-        crossed = self._crossed() if code == binding.EVENT else None
+            return Sweep(time, x, None, times, rows, True, False, taken)
+        x = numbers(self._solver.x, self._evaluator.x.size).copy() if arrived else self._x
+        crossed = flags(self._solver.crossed, self._evaluator.m.size) if code == binding.EVENT else None
         self._left = perf_counter() if crossed is not None else 0.0
         if arrived:
             self._x = x
         self._time = self._solver.t
         self._maybe_compile()
-        there = arrived and self._time >= until
-        return Sweep(self._time, x, crossed, wanted[:done], rows[:done], False, there)
+        there = arrived and (self._time >= until or self._is_instant())
+        return Sweep(self._time, x, crossed, times, rows, False, there, taken, code == CROWDED)
 
-    def _judge(self, code: int) -> None:
-        """Stops a run that at its present pace would need more steps than are allowed."""
-        steps, limits = self._solver.steps, self._limits
-        if code != binding.PAUSE or steps - self._judged[0] < BATCH:
-            return
-        progress = self._solver.t - self._judged[1]
-        hopeless = progress * limits.max_steps < limits.span * (steps - self._judged[0])
-        self._judged = steps, self._solver.t
-        self._slow = self._slow + 1 if hopeless else 0
-        if self._slow >= SLOW_BATCHES:
-            raise self._failure(COLLAPSED)
+    def handle(
+        self, settling: Settling, schedule: Schedule, guard: EventGuard, ahead: float
+    ) -> Cruise | None:
+        """Handles events on the way, if the model allows it."""
+        self._events = None
+        if is_possible(self._evaluator.code):
+            known = self._known("z")
+            self._events = Cruise(self._model, self._solver, known, settling, schedule, guard, ahead)
+            self._events.make_room(len(self._rows), self._model.outputs)
+            self._events.bind(self._machine.library if self.is_compiled else None)
+        return self._events
 
-    def _call(self, targets: Vector, end: float, rows: Vector, filled: ctypes.c_int) -> int:
+    def _is_instant(self) -> bool:
+        return self._events is not None and is_reached(self._solver.t, self._events.next)
+
+    def _stretch(self, targets: Vector, end: float) -> Stretch:
         budget = 1 if self._evaluator.code.system.delays else _BUDGET
+        if self._events is not None:
+            found = self._events.go(targets, end, budget)
+            if found.code != binding.MEMORY:
+                return found
+            self._give_factors(4 * self._solver.lu.capacity)
+            return replace(found, code=binding.PAUSE)
+        wanted = np.ascontiguousarray(targets[: np.searchsorted(targets, end, "right")])
+        self._solver.room = len(self._rows)
+        filled = ctypes.c_int(0)
+        code = self._call(wanted, end, budget, filled)
+        return Stretch(code, wanted[: filled.value], self._rows[: filled.value], filled.value)
+
+    def _call(self, targets: Vector, end: float, budget: int, filled: ctypes.c_int) -> int:
+        rows, count = pointer(self._rows), ctypes.addressof(filled)
         while True:
             code = self._run_time.sweep(
-                self._solver,
-                pointer(targets),
-                len(targets),
-                end,
-                budget,
-                pointer(rows),
-                ctypes.addressof(filled),
+                self._solver, pointer(targets), len(targets), end, budget, rows, count
             )
             if code != binding.MEMORY:
                 return code
             self._give_factors(4 * self._solver.lu.capacity)
-
-    def _crossed(self) -> NDArray[np.int_]:
-        size = self._evaluator.m.size
-        return np.ctypeslib.as_array((ctypes.c_int * size).from_address(self._solver.crossed)).astype(np.int_)
 
     def _maybe_compile(self) -> None:
         """Has the model compiled once the run has become long, and goes over to what came of it."""
@@ -390,5 +383,5 @@ class NativeSolver:
         evaluator, solver = self._evaluator, self._solver
         if status in (binding.NOT_FINITE, binding.SINGULAR):
             evaluator.at(float(self._arrays["t"][0]), self._arrays["x"])
-        stopped = solver.t0, self._view(solver.x0, evaluator.x.size)
+        stopped = solver.t0, numbers(solver.x0, evaluator.x.size)
         return failure(evaluator, self._limits, status, *stopped, fixed=solver.method != METHODS["rodas"])

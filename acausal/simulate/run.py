@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from acausal.errors import AcausalError
 from acausal.simulate.costs import Costs, StateCost
+from acausal.simulate.cruise import Cruise
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, check_conditions, crossed_modes, operators
 from acausal.simulate.failures import advising
@@ -126,6 +127,7 @@ class _Loop:
         self._ahead = _AHEAD * (options.span or 1.0)
         self._settling = Settling(evaluator, self._ahead)
         self._schedule = Schedule(evaluator, options.start_time)
+        self._cruise = self._handing_over()
         self._next = math.inf
         """The next event at a known instant."""
         self._time = options.first
@@ -133,6 +135,12 @@ class _Loop:
         self._between = False
         """Whether no event is under way, so that it can be said where the run stands."""
         self._last: Standing | None = None
+
+    def _handing_over(self) -> Cruise | None:
+        """Has the solver handle events on the way, if it can."""
+        if self._sweeper is None:
+            return None
+        return self._sweeper.handle(self._settling, self._schedule, self.guard, self._ahead)
 
     def begin(self, time: float, x: Vector) -> None:
         """From the initial values through the first event; what holds before it is no part of the course."""
@@ -188,11 +196,18 @@ class _Loop:
 
     def _sweep(self, solver: Sweeper, targets: Vector) -> int:
         """To the next event, or as far as the solver goes at once; records the grid points on the way."""
-        if is_reached(self._time, self._next):
+        if self._cruise is not None:
+            self._cruise.at(self.recorder.last_time, self._next)
+            found = solver.sweep(targets, self.options.stop_time)
+            self._next = self._cruise.next
+        elif is_reached(self._time, self._next):
             self._event(None)
             return 0
-        found = solver.sweep(targets, min(self.options.stop_time, self._next, self._piece()))
+        else:
+            found = solver.sweep(targets, min(self.options.stop_time, self._next, self._piece()))
         self.recorder.extend(found.times, found.rows)
+        if found.is_crowded:
+            raise self.guard.crowded()
         if found.is_suspect:
             self.recorder.look_again(found.time, found.x)
         elif found.crossed is not None:
@@ -204,7 +219,7 @@ class _Loop:
                 self._event(None)
             else:
                 self._keep_past()
-        return len(found.times)
+        return found.taken
 
     def _piece(self) -> float:
         """Until when to integrate in one go: delayed values must be known."""
@@ -372,6 +387,7 @@ class _Loop:
             self.recorder.go_on_with(self.evaluator)
             self.solver = self.make_solver(self.evaluator)
             self._sweeper = self.solver if isinstance(self.solver, Sweeper) else None
+            self._cruise = self._handing_over()
         self._keep_past()
         self._next = self._schedule.next(self.evaluator, self._time)
         if self.evaluator.history is not None:

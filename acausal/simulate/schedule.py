@@ -28,7 +28,8 @@ class Schedule:
         starts, intervals = (v.ravel() for v in call(code.discrete.schedule, evaluator.p))
         for i in np.flatnonzero(~((intervals > 0) & np.isfinite(intervals) & np.isfinite(starts))):
             raise _bad_sample(evaluator, int(i), float(starts[i]), float(intervals[i]))
-        self._starts, self._intervals = starts, intervals
+        self.starts, self.intervals = np.ascontiguousarray(starts), np.ascontiguousarray(intervals)
+        """Of each sample."""
         slack = _rounding(start)
         self._counts = np.maximum(np.ceil((start - starts - slack) / intervals), 0.0)
 
@@ -44,8 +45,8 @@ class Schedule:
     def next(self, evaluator: Evaluator, time: float) -> float:
         """The first instant after `time`; infinite if there is none."""
         ahead = math.inf
-        if self._starts.size:
-            ahead = float((self._starts + self._counts * self._intervals).min())
+        if self.starts.size:
+            ahead = float((self.starts + self._counts * self.intervals).min())
         if evaluator.instants.size:
             evaluator.instant()
             instants = evaluator.instants
@@ -56,10 +57,10 @@ class Schedule:
 
     def due(self, time: float) -> Vector:
         """1 for every sample whose instant this is, and 0; those instants are then past."""
-        if not self._starts.size:
-            return self._starts
-        instants = self._starts + self._counts * self._intervals
-        now = instants <= time + np.maximum(_rounding(time), 1e-10 * self._intervals)
+        if not self.starts.size:
+            return self.starts
+        instants = self.starts + self._counts * self.intervals
+        now = instants <= time + np.maximum(_rounding(time), 1e-10 * self.intervals)
         self._counts[now] += 1.0
         return now.astype(float)
 

@@ -70,6 +70,23 @@ class Settling:
         self._whole = np.array([_is_whole(crossing) for crossing in system.zero_crossings], bool)
         self._error: AcausalError | None = None
 
+    def truth(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """Of every mode: whether it holds for positive roots, and whether for zero."""
+        above = np.array([op in ("gt", "ge") for op in self._ops], np.int32)
+        return above, np.array([op in ("ge", "le") for op in self._ops], np.int32)
+
+    def judged(self) -> NDArray[np.int32]:
+        """Of every remembered value: whether a change of it goes on with the event."""
+        return self._judged.astype(np.int32)
+
+    def released(self) -> NDArray[np.int32]:
+        """Of every mode: whether it watches an `integer(...)`."""
+        return self._whole.astype(np.int32)
+
+    def reset_states(self) -> NDArray[np.int32]:
+        """Which state each `reinit` sets."""
+        return np.array(self._resets, np.int32)
+
     def remember(self) -> None:
         """What holds now is what held before the event."""
         if self._memory.stop > self._memory.start:

@@ -9,8 +9,12 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from acausal.simulate.cruise import Cruise
 from acausal.simulate.evaluator import Evaluator
+from acausal.simulate.events import EventGuard
 from acausal.simulate.matrices import Vector
+from acausal.simulate.schedule import Schedule
+from acausal.simulate.settle import Settling
 
 BATCH = 20_000
 """Steps that a solver may take before its pace is judged."""
@@ -45,6 +49,10 @@ class Sweep:
     rows: Vector
     is_suspect: bool
     is_there: bool
+    taken: int
+    """How many of the targets are passed: between their rows are those of events that were handled."""
+    is_crowded: bool = False
+    """The events that were handled accumulate."""
 
 
 @dataclass(frozen=True)
@@ -127,6 +135,12 @@ class Sweeper(Solver, Protocol):
 
     def sweep(self, targets: Vector, until: float) -> Sweep:
         """Integrate to `until` at most, writing outputs at the increasing `targets`."""
+        ...
+
+    def handle(
+        self, settling: Settling, schedule: Schedule, guard: EventGuard, ahead: float
+    ) -> Cruise | None:
+        """Handle events on the way, if that can be done."""
         ...
 
 
