@@ -60,7 +60,7 @@ class Profiler:
         left, right = equation.left, equation.right
         leaves = all_leaves([left, right])
         if is_assignment(left, right):
-            return Profile(equation, {left: Solvability.SAFE}, leaves)
+            return Profile(equation, {left: Solvability.SAFE}, leaves, {})
         if not self.is_numeric(left) or not self.is_numeric(right):
             return Profile(equation, _direct(left, right), leaves, {})
         found = slopes(sub(left, right))

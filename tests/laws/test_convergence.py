@@ -79,13 +79,32 @@ def test_order_of_convergence(solver: str) -> None:
 
 
 def test_order_of_the_method_with_variable_steps() -> None:
-    """RODAS5P with steps that only `max_step` limits: order 5."""
-    steps = [0.2, 0.1, 0.05, 0.025]
-    errors = [
-        error(CURVED.simulate(stop_time=2.0, interval=0.5, solver="rodas", rtol=0.5, max_step=step))
-        for step in steps
-    ]
-    assert 4.5 < slope(steps, errors) < 6.0, errors
+    """Steps that `max_step` limits are made by RODAS5P where RODAS3 is not good enough: order 5."""
+    errors, evaluations = limited(5)
+    assert 4.5 < slope(STEPS, errors) < 6.0, errors
+    assert min(evaluations) > 7.0
+
+
+def test_order_where_the_tolerance_asks_for_little() -> None:
+    """RODAS3 with steps that only `max_step` limits: order 3, three evaluations."""
+    errors, evaluations = limited(3)
+    assert 2.7 < slope(STEPS, errors) < 3.7, errors
+    assert max(evaluations[1:]) < 4.0
+
+
+STEPS = [0.2, 0.1, 0.05, 0.025]
+
+
+def limited(order: int) -> tuple[list[float], list[float]]:
+    """Errors, and evaluations in a step, at a tolerance that only order 5 meets, or that anything does."""
+    errors: list[float] = []
+    evaluations: list[float] = []
+    for step in STEPS:
+        rtol = 0.5 if order == 3 else 0.02 * step**3
+        run = CURVED.simulate(stop_time=2.0, interval=0.5, solver="rodas", rtol=rtol, max_step=step)
+        errors.append(error(run))
+        evaluations.append(run.statistics.rhs_evaluations / run.statistics.steps)
+    return errors, evaluations
 
 
 @pytest.mark.parametrize("solver", FIXED)
