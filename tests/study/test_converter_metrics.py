@@ -153,7 +153,7 @@ def test_a_lag_of_first_order_creeps_to_its_end() -> None:
     time = np.arange(0, 2, 1e-4)
     late = np.maximum(time - 0.5, 0)
     pressure = np.array([1e5 + 5e5 * (1 - exp(-t / 0.05)) for t in late.tolist()])
-    lag = Table({"time": time, "current": 1.0 * (time > 0.4), "pressure": pressure})
+    lag = Table({"time": time, "current": np.where(time > 0.4, 1.0, 0.0), "pressure": pressure})
     assert engagements(lag)[0].figures.rise == pytest.approx(0.05 * np.log(49), rel=1e-3)
     assert engagements(lag)[0].figures.delay == pytest.approx(0.1 - 0.05 * np.log(0.98), abs=2e-4)
     down = np.interp(time, [0.5, 1.0], [6e5, 1e5])
