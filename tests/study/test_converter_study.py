@@ -108,6 +108,20 @@ def test_torques(kind: str) -> None:
             assert value == pytest.approx(given, rel=1e-9, abs=1e-9)
 
 
+def test_torques_that_a_shaft_turning_backward_has() -> None:
+    """A load that turns the turbine back takes more torque than stall; braking may turn the impeller back."""
+    g = circuits(POINTS)
+    w_p, ratio = RNG.uniform(50, 500, POINTS), RNG.uniform(-0.5, -0.05, POINTS)
+    at = steady_state(g, Operating(impeller_speed=w_p, turbine_speed=ratio * w_p))
+    found = steady_state(g, Operating(impeller_torque=at.impeller_torque, turbine_torque=at.turbine_torque))
+    assert float(found.residual.max()) < 1e-9
+    assert found.turbine_torque == pytest.approx(at.turbine_torque, rel=1e-9)
+    w_t = np.full(1, 300.0)
+    back = steady_state(NOMINAL, Operating(impeller_speed=np.array([-60.0]), turbine_speed=w_t), "lower")
+    found = steady_state(NOMINAL, Operating(impeller_torque=back.impeller_torque, turbine_speed=w_t))
+    assert float(found.residual.max()) < 1e-9
+
+
 def test_two_branches_between_0_98_and_1() -> None:
     w_p, w_t = np.full(3, 200.0), 200 * np.array([0.95, 0.99, 1.05])
     upper, lower = (

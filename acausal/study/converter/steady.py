@@ -25,12 +25,21 @@ Strings = NDArray[np.str_]
 _UNIT = 200.0
 _LEAST = np.linspace(-0.78, 0.3, 13)
 _MOST = np.linspace(0.79, 1.65, 10)
+_FAMILIES = (
+    (_LEAST, _MOST),
+    (_LEAST, np.linspace(-1.7, -0.8, 10)),
+    (np.linspace(1.9, 2.7, 9), np.linspace(1.3, 1.9, 7)),
+)
+"""Directions of the speeds, as angles of (w_p, w_t), between which the net pressure vanishes: where it is
+positive, and where it is negative. Both shafts forward; the turbine backward; the impeller backward."""
+_SEARCH = 14
 _GRID = 24
 _BISECTIONS = 45
 _EDGE = 30
 _REFINEMENTS = 22
 _CHUNK = 250
 _ACCEPTED = 1e-6
+_SOLVED = 1e-10
 _LARGEST = 1e6
 """rad/s or N.m."""
 
@@ -85,8 +94,10 @@ def steady_state(geometry: Geometry, at: Operating, choice: Choice = "upper") ->
     """The steady state on the branch that continues from lower speed ratios (`upper`), or from higher ones.
 
     Arrays of all points have one size, or size 1. Where torques are prescribed, solutions are sought in which
-    the impeller turns forward and the turbine forward or slowly backward; where there is none (torques whose
-    ratio no speeds have) the branch is `none`. Raises UsageProblem `converter.sizes`, `converter.choice`.
+    both shafts turn forward, then those in which one of them turns backward; where there is none (torques
+    whose ratio no speeds have) the branch is `none`.
+
+    Raises UsageProblem `converter.sizes`, `converter.choice`.
     """
     if choice not in get_args(Choice):
         message = f"there is no branch `{choice}` to choose"
@@ -97,11 +108,13 @@ def steady_state(geometry: Geometry, at: Operating, choice: Choice = "upper") ->
     wanted = _Wanted(*(None if entry is None else _full(entry, size) for entry in entries))
     if wanted.w_p is not None and wanted.w_t is not None:
         return _finish(wanted.w_p, wanted.w_t, flow_at(wanted.w_p, wanted.w_t, g, choice).Q, g, wanted)
-    points = np.empty((size, 3))
-    for first in range(0, size, _CHUNK):
-        part = np.arange(size) // _CHUNK == first // _CHUNK
-        points[part] = _follow(g.take(part), wanted.take(part), choice)
-    points = _newton(points, g, wanted)
+    points = np.full((size, 3), np.nan)
+    for family, exact in ((0, False), (0, True), (1, True), (2, True)):
+        missing = np.flatnonzero(~(_worst(points, g, wanted) < _SOLVED))
+        for first in range(0, len(missing), _CHUNK):
+            part = np.isin(np.arange(size), missing[first : first + _CHUNK])
+            found = _follow(g.take(part), wanted.take(part), choice, _Family(*_FAMILIES[family], exact))
+            points[part] = _newton(found, g.take(part), wanted.take(part))
     return _finish(points[:, 0], points[:, 1], points[:, 2], g, wanted)
 
 
@@ -166,23 +179,32 @@ class _Wanted:
         return by_torque
 
 
-def _follow(g: Geometry, wanted: _Wanted, choice: Choice) -> Array:
+@dataclass(frozen=True, eq=False)
+class _Family:
+    """Angles with positive and with negative net pressure; whether the largest is searched between them."""
+
+    positive: Array
+    negative: Array
+    exact: bool
+
+
+def _follow(g: Geometry, wanted: _Wanted, choice: Choice, family: _Family) -> Array:
     """A point (w_p, w_t, Q) close to the solution; not-a-number where there is none."""
     scale = wanted.scale()
     point = np.full((len(scale), 3), np.nan)
     for _ in range(2):  # the second time with small flow and drag in proportion to the speeds found
         unit = replace(g, Q_0=g.Q_0 * _UNIT / scale, d_s=g.d_s * _UNIT / scale)
-        point = _at_unit(unit, wanted, choice)
+        point = _at_unit(unit, wanted, choice, family)
         found = np.hypot(point[:, 0], point[:, 1])
         scale = np.where(np.isfinite(found) & (found > 0), found, scale)
     return point
 
 
-def _at_unit(g: Geometry, wanted: _Wanted, choice: Choice) -> Array:
+def _at_unit(g: Geometry, wanted: _Wanted, choice: Choice, family: _Family) -> Array:
     shape = np.sort(np.concatenate([c := (np.arange(-_GRID, _GRID + 1) / _GRID) ** 3, 1e-3 * c[1:-1:2]]))
-    least, largest = (_last_flow(sign, g)[:, None] for sign in (-1.0, 1.0))
+    least, largest = (_last_flow(sign, g, family)[:, None] for sign in (-1.0, 1.0))
     nodes = np.where(shape < 0, -least * shape, largest * shape)
-    values = _missed(nodes, g.column(), wanted.column())[0]
+    values = _missed(nodes, g.column(), wanted.column(), family)[0]
     finite = np.isfinite(values[:, :-1]) & np.isfinite(values[:, 1:])
     changes = finite & ((values[:, :-1] > 0) != (values[:, 1:] > 0))
     exists = changes.any(axis=1)
@@ -193,17 +215,17 @@ def _at_unit(g: Geometry, wanted: _Wanted, choice: Choice) -> Array:
     positive = values[rows, i] > 0
     for _ in range(_REFINEMENTS):
         middle = (left + right) / 2
-        same = (_missed(middle, g, wanted)[0] > 0) == positive
+        same = (_missed(middle, g, wanted, family)[0] > 0) == positive
         left, right = np.where(same, middle, left), np.where(same, right, middle)
     Q = (left + right) / 2
-    _, angle, tau_p, tau_t = _missed(Q, g, wanted)
+    _, angle, tau_p, tau_t = _missed(Q, g, wanted, family)
     factor = np.where(exists, wanted.factor(angle, tau_p, tau_t), np.nan)
     return np.stack([factor * np.cos(angle), factor * np.sin(angle), factor / _UNIT * Q], axis=1)
 
 
-def _missed(Q: Array, g: Geometry, wanted: _Wanted) -> tuple[Array, Array, Array, Array]:
+def _missed(Q: Array, g: Geometry, wanted: _Wanted, family: _Family) -> tuple[Array, Array, Array, Array]:
     """How far what is prescribed is missed at a flow, the direction of speeds there, both torques."""
-    angle = _angle(Q, g)
+    angle = _angle(Q, g, family)
     found = balance(Q, _UNIT * np.cos(angle), _UNIT * np.sin(angle), g)[0]
     return wanted.miss(angle, found.tau_p, found.tau_t), angle, found.tau_p, found.tau_t
 
@@ -212,34 +234,48 @@ def _pressure(Q: Array, angle: Array, g: Geometry) -> Array:
     return balance(Q, _UNIT * np.cos(angle), _UNIT * np.sin(angle), g)[0].pressure
 
 
-def _ends(Q: Array, g: Geometry) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _ends(Q: Array, g: Geometry, family: _Family) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Directions with a high and with a low net pressure, and whether they are positive and negative."""
     first, last = (
         np.stack([_pressure(Q, np.full(Q.shape, angle), g) for angle in angles.tolist()])
-        for angles in (_LEAST, _MOST)
+        for angles in (family.positive, family.negative)
     )
-    exists = (first.max(axis=0) > 0) & (last.min(axis=0) < 0)
-    return _LEAST[np.argmax(first, axis=0)], _MOST[np.argmin(last, axis=0)], exists
+    highest = family.positive[np.argmax(first, axis=0)]
+    high = first.max(axis=0)
+    if family.exact:
+        highest = _top(highest, float(family.positive[1] - family.positive[0]), Q, g)
+        high = np.maximum(high, _pressure(Q, highest, g))
+    return highest, family.negative[np.argmin(last, axis=0)], (high > 0) & (last.min(axis=0) < 0)
 
 
-def _last_flow(sign: float, g: Geometry) -> Array:
+def _top(angle: Array, step: float, Q: Array, g: Geometry) -> Array:
+    """The direction of the highest net pressure close to an angle, by thirds of an interval."""
+    left, right = angle - step, angle + step
+    for _ in range(_SEARCH):
+        one, two = left + (right - left) / 3, right - (right - left) / 3
+        rises = _pressure(Q, one, g) < _pressure(Q, two, g)
+        left, right = np.where(rises, one, left), np.where(rises, right, two)
+    return (left + right) / 2
+
+
+def _last_flow(sign: float, g: Geometry, family: _Family) -> Array:
     """The largest flow in one direction that steady states have."""
     inside, outside = np.zeros(len(g.A)), sign * (g.A * g.R_p * _UNIT + 10 * g.Q_0)
     for _ in range(_EDGE):
         middle = (inside + outside) / 2
-        exists = _ends(middle, g)[2]
+        exists = _ends(middle, g, family)[2]
         inside, outside = np.where(exists, middle, inside), np.where(exists, outside, middle)
     return inside
 
 
-def _angle(Q: Array, g: Geometry) -> Array:
+def _angle(Q: Array, g: Geometry, family: _Family) -> Array:
     """The direction of (w_p, w_t) in which the net pressure vanishes at the unit of speed; else nan."""
-    left, right, inside = _ends(Q, g)
+    positive, negative, inside = _ends(Q, g, family)
     for _ in range(_BISECTIONS):
-        middle = (left + right) / 2
-        falls = _pressure(Q, middle, g) > 0
-        left, right = np.where(falls, middle, left), np.where(falls, right, middle)
-    return np.where(inside, (left + right) / 2, np.nan)
+        middle = (positive + negative) / 2
+        above = _pressure(Q, middle, g) > 0
+        positive, negative = np.where(above, middle, positive), np.where(above, negative, middle)
+    return np.where(inside, (positive + negative) / 2, np.nan)
 
 
 def _equations(x: Array, g: Geometry, wanted: _Wanted) -> Array:
