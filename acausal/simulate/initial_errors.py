@@ -11,7 +11,7 @@ from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import block_equations, leaf_name, number, some
 from acausal.symbolic.causal import InitialCondition, InitialConflict, Residual
-from acausal.symbolic.describe import condition_text, equation_with_place, listed
+from acausal.symbolic.describe import condition_text, equation_with_place, listed, quoted
 from acausal.symbolic.expressions.expr import TIME, symbols, unknown_leaves
 
 CHECK_TOLERANCE = 1e-6
@@ -95,6 +95,11 @@ def with_starts(
         return error
     texts = [f"{name} = {number(starts[name])} ({_USES[reasons[name]]})" for name in held]
     hint = f"{first.hint}; the block uses the start values {listed(texts)}".removeprefix("; ")
+    fixed = [name for name in held if reasons[name] == "fixed"]
+    if fixed:
+        hint += f": try to remove `fixed = true` from {quoted(fixed, 'or')}"
+    else:
+        hint += ": others may help"
     return InitializationProblem([replace(first, hint=hint), *rest])
 
 

@@ -26,7 +26,7 @@ def leaf_name(leaf: Expr) -> str:
 
 def number(value: float) -> str:
     """Six digits are enough to recognise a value."""
-    return f"{value:.6g}"
+    return f"{value + 0.0:.6g}"  # -0 is 0
 
 
 def at(time: float) -> str:

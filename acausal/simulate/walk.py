@@ -6,6 +6,7 @@ integrator's Functions return something that is not a number: then it names the 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +19,8 @@ from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, leaf_name, shown, values_text
 from acausal.symbolic.causal import Assignment, Block
-from acausal.symbolic.expressions.expr import Expr, unknown_leaves
+from acausal.symbolic.describe import quoted
+from acausal.symbolic.expressions.expr import Expr, postorder, unknown_leaves
 
 
 @dataclass(frozen=True)
@@ -71,12 +73,33 @@ def _bad_linear(block: Block, values: Vector, slots: dict[Expr, int], how: Walk)
     return singular(block, tuple(range(len(block.residuals))), how)
 
 
+def _divisors(value: Expr) -> Iterator[Expr]:
+    """The symbols that an expression is divided by."""
+    for node in postorder([value]):
+        if node.op == "div":
+            stack = [node.args[1]]
+            while stack:
+                factor = stack.pop()
+                if factor.op in ("mul", "neg"):
+                    stack += factor.args
+                elif factor.op == "sym":
+                    yield factor
+
+
 def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], how: Walk) -> AcausalError:
     """The error for one assignment whose value is not a number or infinite."""
     unknown, equation = assignment.unknown, assignment.equation
     value = values[slots[unknown]]
     inputs = [leaf for leaf in unknown_leaves(assignment.value) if leaf in slots]
     given = values_text([(leaf, float(values[slots[leaf]])) for leaf in inputs])
+    zeros = [
+        leaf_name(leaf) for leaf in _divisors(assignment.value) if leaf in slots and not values[slots[leaf]]
+    ]
+    lost = (
+        f"the equation does not determine {leaf_name(unknown)} while {quoted(zeros)} is zero; "
+        if zeros
+        else ""
+    )
     what = "not a number" if np.isnan(value) else "infinite"
     system = "initial" if how.kind is InitializationProblem else "running"
     return fail(
@@ -86,5 +109,5 @@ def not_finite(assignment: Assignment, values: Vector, slots: dict[Expr, int], h
         f"computed from `{shown(equation)}`",
         equation.flat.span,
         names=[leaf_name(unknown), *map(leaf_name, inputs)],
-        hint=f"with {given}" if given else "",
+        hint=lost + (f"with {given}" if given else ""),
     )

@@ -76,12 +76,32 @@ class Conflict:
 
     @cached_property
     def sources(self) -> dict[str, Equation]:
-        """Those of them that may fight: with connectors, and references only if there is but one other."""
-        found = self.prescribing
+        """Those of them that may fight: with connectors, and references only if there is but one other.
+
+        A signal stands for the component that it is led to.
+        """
+        found = {self._led_to(name): equation for name, equation in self.prescribing.items()}
         near = {name: e for name, e in found.items() if self.circuit.has_connector(name)}
         found = near if len(near) > 1 or self.loose else found
         active = {name: e for name, e in found.items() if not _is_reference(e)}
         return active if len(active) > 1 else active | found
+
+    def _led_to(self, name: str) -> str:
+        """The component with connectors that gets the signal of one without, or the component itself."""
+        seen = {name: None}
+        while not self.circuit.has_connector(name):
+            ends = [self._joined(e) for e in self.equations if e.origin is Origin.CONNECTION]
+            further = [b for pair in ends for a, b in (pair, pair[::-1]) if a == name and b not in seen]
+            if not further:
+                return next(iter(seen))
+            name = further[0]
+            seen[name] = None
+        return name
+
+    def _joined(self, equation: Equation) -> tuple[str, str]:
+        """The two components that a connection joins."""
+        first, second = symbols([equation.left, equation.right])[:2]
+        return self.circuit.part_of_variable(first), self.circuit.part_of_variable(second)
 
 
 def _is_reference(equation: Equation) -> bool:

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from acausal.errors import BalanceProblem, Diagnostic
-from acausal.lang.flat import Variable
+from acausal.errors import BalanceProblem, Diagnostic, TypeProblem, fail
+from acausal.lang.flat import REAL, Variable
 from acausal.symbolic.alias import Simplified
 from acausal.symbolic.causal import Assignment, CausalEquation, DiscretePart
-from acausal.symbolic.describe import listed
+from acausal.symbolic.describe import base_name, equation_with_place, listed, quoted, shown
 from acausal.symbolic.events import Holder
-from acausal.symbolic.expressions.expr import Expr, postorder, sym
+from acausal.symbolic.expressions.expr import Expr, postorder, sym, symbols
 from acausal.symbolic.expressions.node import Wide
 from acausal.symbolic.graphs.blt import strong_components
 from acausal.symbolic.graphs.matching import Matcher
@@ -108,7 +108,29 @@ def _matched(model: Simplified, names: Mapping[str, Variable], profiler: Profile
     free = [order[i] for i, eq in enumerate(matcher.eq_of_var) if eq is None]
     if free:
         raise _undetermined(model, free)
-    return {positions[eq]: order[i] for i, eq in enumerate(matcher.eq_of_var) if eq is not None}
+    chosen = {positions[eq]: order[i] for i, eq in enumerate(matcher.eq_of_var) if eq is not None}
+    by_name = model.flat.by_name
+    for i, name in chosen.items():
+        sides = (model.equations[i].left, model.equations[i].right)
+        if names[name].type != REAL and any(
+            is_moving(by_name.get(base_name(s))) for s in steady_leaves(sides)
+        ):
+            raise _continuous(model, model.equations[i], names[name])
+    return chosen
+
+
+def _continuous(model: Simplified, equation: CausalEquation, variable: Variable) -> TypeProblem:
+    """The error for an Integer or the like that only an equation with continuous values determines."""
+    moving = [n for n in symbols([equation.left, equation.right]) if is_moving(model.flat.by_name.get(n))]
+    return fail(
+        TypeProblem,
+        "type.discrete",
+        f"`{variable.name}` is {variable.type} and changes at events only, but in the running system only "
+        f"{equation_with_place(equation.flat)} can determine it, with the continuous {quoted(moving)}",
+        equation.flat.span,
+        names=[variable.name, *moving],
+        hint=f"make `{variable.name}` a Real, or use integer(...), which raises events",
+    )
 
 
 def _candidates(equation: CausalEquation, names: Mapping[str, Variable], profiler: Profiler) -> list[str]:
@@ -159,19 +181,23 @@ def _definition(equation: CausalEquation, unknown: Expr) -> Assignment:
 
 def _undetermined(model: Simplified, free: Sequence[str]) -> BalanceProblem:
     by_name = model.flat.by_name
-    return BalanceProblem(
-        [
-            Diagnostic(
-                "discrete.undetermined",
-                f"no equation gives the discrete variable `{name}` a value at events"
-                + (f", nor {listed(list(free[1:]))}" if name == free[0] and free[1:] else ""),
-                by_name[name].span,
-                (name,),
-                f"assign it in a when-clause, or write `{name} = ...` with what changes at events only",
+    found: list[Diagnostic] = []
+    for name in free:
+        also = f", nor {listed(list(free[1:]))}" if name == free[0] and free[1:] else ""
+        itself = next((e for e in model.equations if name in symbols([e.left, e.right])), None)
+        if itself is None:
+            message = f"no equation gives the discrete variable `{name}` a value at events{also}"
+            hint = f"assign it in a when-clause, or write `{name} = ...` with what changes at events only"
+            span = by_name[name].span
+        else:
+            message = (
+                f"the discrete variable `{name}` depends on itself at one instant in the running system: "
+                f"`{shown(itself)}` cannot be solved for it, and no other equation gives it a value{also}"
             )
-            for name in free
-        ]
-    )
+            hint = f"use `pre({name})` for its value before the event, or another equation for `{name}`"
+            span = itself.flat.span
+        found.append(Diagnostic("discrete.undetermined", message, span, (name,), hint))
+    return BalanceProblem(found)
 
 
 def discrete_part(

@@ -76,6 +76,35 @@ TEXT = """package Wrong
   equation
     connect(source.flange, body.flange_a);
   end FixedAndDriven;
+  model LoopOfBooleans
+    Boolean a, b;
+  equation
+    a = not b;
+    b = a;
+  end LoopOfBooleans;
+  model IntegerOfTime
+    Integer k;
+    Real x;
+  equation
+    der(x) = 1;
+    k = x;
+  end IntegerOfTime;
+  model SignalAgainstTank
+    Signals.Sources.Constant level(k = 2e5);
+    Hydraulics.Sources.PressureSignal source;
+    Hydraulics.Sources.Tank tank;
+  equation
+    connect(level.y, source.p);
+    connect(source.port, tank.port);
+  end SignalAgainstTank;
+  model FixedFlow
+    Hydraulics.Sources.FlowSource pump(q_start = 1e-5);
+    Hydraulics.Components.Pipe pipe(d = 6e-3, l = 1, m_flow(fixed = true));
+    Hydraulics.Sources.Tank tank;
+  equation
+    connect(pump.port, pipe.port_a);
+    connect(pipe.port_b, tank.port);
+  end FixedFlow;
 end Wrong;"""
 
 EXPECTED = {
@@ -90,6 +119,10 @@ EXPECTED = {
     "LooseOrifice": ("Orifice orifice", "in the initial system", "connect `orifice.port_b`"),
     "Jump": ("w = if", "since it prescribes `body.w`", "something that gives way"),
     "FixedAndDriven": ("C.Inertia body", "Speed.mo:11 in source", "remove `fixed = true` from `body.w`"),
+    "LoopOfBooleans": ("a = not b", "`a` depends on itself at one instant", "use `pre(a)`"),
+    "IntegerOfTime": ("k = x", "with the continuous `x`", "make `k` a Real"),
+    "SignalAgainstTank": ("Tank tank", "`source` and `tank` both prescribe the pressure", "remove `source`"),
+    "FixedFlow": ("Pipe pipe", "in the initial system", "remove `fixed = true` from `pipe.m_flow`"),
 }  # fmt: skip
 
 
