@@ -28,14 +28,14 @@ from acausal.codegen.casadi_expressions import FORWARD, jacobian
 from acausal.codegen.constants import function_of_parameters, parameter_function
 from acausal.codegen.discrete import DiscreteCode, discrete_code
 from acausal.codegen.lazy import guarded_values
-from acausal.codegen.program import Program
+from acausal.codegen.program import ImplicitCode, Program, implicit_code
 from acausal.codegen.quick import Quick, quick
 from acausal.codegen.scope import Scope
-from acausal.codegen.segments import reads
+from acausal.codegen.segments import Segment, reads
 from acausal.codegen.solvers import Nominals
 from acausal.codegen.starts import OpenStarts, open_starts, start_leaf
 from acausal.codegen.stitch import Goal, Stitching
-from acausal.symbolic.causal import CausalSystem, Residual
+from acausal.symbolic.causal import BlockKind, CausalSystem, Residual
 from acausal.symbolic.expressions.expr import (
     ONE,
     TIME,
@@ -50,6 +50,8 @@ from acausal.symbolic.expressions.expr import (
 )
 
 _FLOOR = 1e-3
+MOST_JUDGED = 100
+"""Tearing variables of a block of the initial system whose rank is looked at."""
 _STARTING = frozenset({"sym", "der", "pre", "sample", "initial", "terminal"})
 
 
@@ -100,6 +102,20 @@ class Code:
     located: tuple[int, ...]
     """The zero crossings that must be found by their roots; those of monitors are the last."""
     checks: Checks
+
+    @cached_property
+    def start_blocks(self) -> tuple[ImplicitCode, ...]:
+        """The implicit blocks of the initial system that give states, to judge whether they are regular."""
+        states = {sym(name) for name in self.system.states}
+        blocks = [
+            block
+            for block in self.system.initial.blocks
+            if block.kind is not BlockKind.EXPLICIT
+            and len(block.tearing) <= MOST_JUDGED
+            and not states.isdisjoint(block.unknowns)
+        ]
+        slots = self.initial.slots
+        return tuple(implicit_code(Segment((b,), True), slots, f"start{i}") for i, b in enumerate(blocks))
 
     @cached_property
     def jac(self) -> Function:

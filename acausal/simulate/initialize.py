@@ -16,6 +16,7 @@ from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import literal_modes, operators
 from acausal.simulate.initial_errors import check_redundant, with_starts
 from acausal.simulate.initial_modes import Switched, consistent_modes
+from acausal.simulate.initial_warnings import initial_warnings
 from acausal.simulate.inputs import Inputs, InputValue, bind_inputs
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name, some
@@ -91,7 +92,9 @@ def _point(problem: _Problem, changes: _Changes, given: Vector, override: Vector
     x = np.array([known[leaf] for leaf in state_leaves(code.system)])
     reasons = code.system.initial.values
     used = tuple(UsedStart(v.name, float(s), v.reason) for v, s in zip(reasons, problem.starts, strict=True))
-    return InitialPoint(evaluator, time, x, used, (*notes, *(_homotopy_used(b) for b in walked.continued)))
+    continued = [_homotopy_used(block) for block in walked.continued]
+    doubtful = initial_warnings(code, walked.values, evaluator.p)
+    return InitialPoint(evaluator, time, x, used, (*notes, *continued, *doubtful))
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,15 @@ def scaled(matrix: Matrix, rows: Vector, columns: Vector) -> Matrix:
     return csc_array(diags_array(1 / rows) @ matrix @ diags_array(columns))
 
 
+def transposed(matrix: Matrix) -> Matrix:
+    """Rows as columns."""
+    if isinstance(matrix, np.ndarray):
+        return matrix.T
+    from scipy.sparse import csc_array
+
+    return csc_array(matrix.T)
+
+
 def is_finite(matrix: Matrix) -> bool:
     """Whether every entry is a finite number."""
     data = matrix if isinstance(matrix, np.ndarray) else matrix.data

@@ -94,3 +94,25 @@ def test_a_loop_without_solution_names_the_starts_it_uses() -> None:
     with pytest.raises(InitializationProblem) as caught:
         acausal.loads(text.format(x=3, fixed="false")).compile().simulate()
     assert "x = 3 (not fixed, but assumed)" in caught.value.diagnostics[0].hint
+
+
+def test_many_solutions_are_no_secret() -> None:
+    text = """model M Real x(start = 3), y;
+    initial equation der(x) = 0; der(y) = 0;
+    equation der(x) = y - x; der(y) = x - y; end M;"""
+    (warning,) = acausal.loads(text).compile().simulate().warnings
+    assert warning.code == "initialize.not-unique"
+    assert "do not say what `y` is" in warning.message
+    assert "`y` = ..." in warning.hint
+    single = text.replace("der(y) = 0", "y = 2")
+    assert not acausal.loads(single).compile().simulate().warnings
+
+
+def test_values_outside_their_range_are_told() -> None:
+    text = "model M Real x(min = low, max = 4, start = {}, fixed = true); parameter Real low = 1; "
+    model = text + "equation der(x) = 0; end M;"
+    for start, says in (("0", "`x` = 0 is below 1"), ("5", "`x` = 5 is above 4")):
+        (warning,) = acausal.loads(model.format(start)).compile().simulate().warnings
+        assert warning.code == "initialize.out-of-range"
+        assert says in warning.message
+    assert not acausal.loads(model.format("4 + 1e-9")).compile().simulate().warnings
