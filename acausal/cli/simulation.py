@@ -122,12 +122,26 @@ def continued(run: Run, standing: Standing) -> tuple[tuple[str, ...], Store]:
     """The variables of the stored run, and the file: its own, or another that gets its rows first."""
     assert run.after is not None
     stored = read_result(run.after if run.after.is_file() else part_of(run.after))
+    _check_rows(run.after, stored, standing)
     if run.everything or (run.variables and run.variables != stored.names):
         problem = f"`{run.after}` holds the variables that it was begun with"
         raise fail(UsageProblem, "usage.continue", problem, hint="leave -v and --all out")
     if run.output is None or run.output.absolute() == run.after.absolute():
         return stored.names, Store(run.after, stored.names, standing.rows)
     return stored.names, Store(run.output, stored.names, standing.rows, stored)
+
+
+def _check_rows(path: Path, stored: StoredResult, standing: Standing) -> None:
+    """Raises `UsageProblem` where the file is not the one that the run left: cut short or exchanged."""
+    count, rows = len(stored.time), standing.rows
+    if count < rows:
+        why = f"it holds {count} rows, and the run wrote {rows}"
+    elif rows and float(stored.time[rows - 1]) != standing.time:
+        why = f"its row {rows} is of {stored.time[rows - 1]:g} s, and the run stood at {standing.time:g} s"
+    else:
+        return
+    problem = f"`{path}` cannot be continued: {why}"
+    raise fail(UsageProblem, "usage.continue", problem, hint="it was cut short or changed: run it anew")
 
 
 def progress_of(compiled: CompiledModel, run: Run, standing: Standing | None) -> Progress:

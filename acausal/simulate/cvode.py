@@ -33,7 +33,10 @@ _ROUND = 64 * np.finfo(float).eps
 """Instants that differ by less are the same."""
 
 _CAUSES = {
-    _COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
+    _COLLAPSED: (
+        "simulate.step-collapse",
+        "its steps have become so short that the run would need more of them than are allowed",
+    ),
     -1: ("simulate.too-many-steps", "too many steps were needed"),
     -2: ("simulate.tolerance", "the tolerance asks for more accuracy than numbers of 64 bits have"),
     -3: ("simulate.step-too-small", "the error test failed with the smallest step"),

@@ -27,7 +27,10 @@ _GROWTH = ("not-finite", "no-solution", "no-convergence", "singular")
 """How the codes of errors end that states without bound lead to."""
 
 _CAUSES = {
-    COLLAPSED: ("simulate.step-collapse", "its steps have become so short that the run would not end"),
+    COLLAPSED: (
+        "simulate.step-collapse",
+        "its steps have become so short that the run would need more of them than are allowed",
+    ),
     binding.STEP_TOO_SMALL: ("simulate.step-too-small", "the error test failed with the smallest step"),
     binding.TOO_MANY_STEPS: ("simulate.too-many-steps", "too many steps were needed"),
     binding.SINGULAR: ("simulate.singular-step", "the matrix of an implicit step was singular"),

@@ -13,6 +13,12 @@ DEFAULT_RTOL = 1e-6
 DEFAULT_INTERVALS = 500
 MAX_STEPS = 10_000_000
 _MAX_POINTS = 50_000_000
+_MOST_STEPS = 1e9
+"""Of a length that was asked for."""
+_SHARE = 4.0
+"""So many times the steps that the longest ones would make are allowed."""
+_LEAST_RTOL = 1e-15
+_LEAST_SPAN, _TINY = 1e-13, 1e-290
 
 
 @dataclass(frozen=True)
@@ -73,17 +79,21 @@ def resolve(
     """
     start = _first(start_time, experiment.start_time, 0.0)
     stop = _first(stop_time, experiment.stop_time, start + DEFAULT_STOP)
-    if not (math.isfinite(start) and math.isfinite(stop)) or stop < start:
-        raise _wrong("stop-time", f"the stop time {stop:g} s lies before the start time {start:g} s")
+    _check_times(start, stop)
     relative = _positive("rtol", _first(rtol, experiment.tolerance, DEFAULT_RTOL))
+    if not _LEAST_RTOL <= relative < 1.0:
+        raise _wrong("rtol", f"a tolerance of {relative:g} is not between {_LEAST_RTOL:g} and 1")
     span = stop - start
     points = _positive("interval", _first(interval, experiment.interval, span / DEFAULT_INTERVALS or 1.0))
     if span / points > _MAX_POINTS:
         raise _wrong("interval", f"an interval of {points:g} s gives more than {_MAX_POINTS} output points")
     if max_step is not None:
-        _positive("max_step", max_step)
+        _check_count("max_step", _positive("max_step", max_step), span)
+        max_steps = max(max_steps, int(_SHARE * span / max_step)) if max_steps == MAX_STEPS else max_steps
     absolute = _positive("atol", atol if atol is not None else relative)
     length = _positive("step", _first(step, points))
+    if step is not None:
+        _check_count("step", step, span)
     if events not in ("locate", "step"):
         raise _wrong("events", f"`{events}` is no way to handle events: `locate` or `step`")
     return Options(
@@ -100,6 +110,25 @@ def resolve(
         locate=events == "locate",
         compiled=compiled,
     )
+
+
+def _check_times(start: float, stop: float) -> None:
+    """Two different instants must be numbers with a few more between them."""
+    for name, time in (("start-time", start), ("stop-time", stop)):
+        if not math.isfinite(time):
+            raise _wrong(name, f"the {name.replace('-', ' ')} must be a finite number, not {time:g}")
+    if stop < start:
+        raise _wrong("stop-time", f"the stop time {stop:g} s lies before the start time {start:g} s")
+    if stop > start and stop - start < max(_LEAST_SPAN * max(abs(start), abs(stop)), _TINY):
+        raise _wrong("stop-time", f"from {start!r} s to {stop!r} s is too short for numbers of 64 bits")
+
+
+def _check_count(name: str, length: float, span: float) -> None:
+    """Steps of this length must be few enough for a run that ends."""
+    if span / length > _MOST_STEPS:
+        what = name.replace("_", " ")
+        message = f"a {what} of {length:g} s over {span:g} s takes more than {_MOST_STEPS:g} steps"
+        raise _wrong(name, message)
 
 
 def _first(*values: float | None) -> float:

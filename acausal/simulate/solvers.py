@@ -8,7 +8,7 @@ from acausal.runtime.build import compiler
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.names import did_you_mean
 from acausal.simulate.native import NativeSolver
-from acausal.simulate.options import Options
+from acausal.simulate.options import MAX_STEPS, Options
 from acausal.simulate.solver import Solver, Tolerances
 
 AUTO = "auto"
@@ -43,7 +43,7 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
         options.atol * evaluator.x_nominal,
         _ROUND * max(abs(options.start_time), abs(options.stop_time)),
         options.max_step,
-        options.max_steps,
+        _allowed(options),
         options.span,
         start=options.start_time,
         sample=options.sample,
@@ -54,6 +54,13 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
     if name in METHODS and (name not in FIXED or compiler() is not None):
         return NativeSolver(evaluator, limits, name, options.compiled)
     return _other(evaluator, limits, name)
+
+
+def _allowed(options: Options) -> int:
+    """The number of steps after which a run is given up: of steps of one length more than the run has."""
+    if options.solver not in FIXED or options.max_steps != MAX_STEPS:
+        return options.max_steps
+    return max(MAX_STEPS, int(4 * options.span / options.step))
 
 
 def _regular(options: Options) -> float:
