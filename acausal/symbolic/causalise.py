@@ -34,6 +34,7 @@ from acausal.symbolic.outputs import keep_for_outputs
 from acausal.symbolic.parameters import parameter_values
 from acausal.symbolic.solving import Profiler
 from acausal.symbolic.state_selection import Point, SelectedStates, select_states, starting_point
+from acausal.symbolic.strings import refuse_strings, with_decided_strings
 from acausal.symbolic.when_clauses import lower
 
 
@@ -52,7 +53,9 @@ def causalise(
         return replace(causalise(part, unevaluated=unevaluated), removed=removed)
     check_balance(flat)
     lowered = lower(flat)
-    model = eliminate_aliases(lowered.flat, parameter_values(lowered.flat, unevaluated))
+    known = with_decided_strings(lowered.flat)
+    model = eliminate_aliases(known, parameter_values(known, unevaluated))
+    refuse_strings(model)
     divided = divide(model, Profiler(model.values, model.flat.by_name))
     reduced = reduce_index(reveal_constraints(divided.continuous))
     hybrid = hybrid_part(reduced, divided, lowered)
