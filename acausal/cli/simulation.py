@@ -208,6 +208,7 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
         **{key: statistics[key] for key in _COSTS},
         **({"max_step_seconds": longest} if (longest := statistics["max_step_seconds"]) is not None else {}),
         **_ending(result),
+        **({"warnings": [w.to_json() for w in result.warnings]} if result.warnings else {}),
         "final": result.final(names),
         "result": None if run.file is None else str(run.file),
     }

@@ -128,6 +128,7 @@ typedef struct {
     double *x0, *x1, *f0, *f1, *f_old;
     double *k1, *k2, *k3;      /* dense output, see ac_interpolate */
     double *z1;                /* with f1: solution of the blocks at t1 */
+    double *z0;                /* that at t0, where a step that is refused begins again */
     double *stage, *k, *scale, *ratio, *error;
     double *side, *slack, *slack0, *g_old, *g_new, *g_try, *g_mid;
     int *crossed;
@@ -149,7 +150,7 @@ typedef struct {
 /* Memory of a solver over `n` states, `m` crossings, `z` tearing variables and `entries` of the Jacobian; the same for
  * static arrays. */
 #define AC_DOUBLES(n, m, z, entries) \
-    ((AC_VECTORS + AC_MAX_STAGES + 1) * (n) + AC_ROOTS_OF * (m) + (z) + (entries))
+    ((AC_VECTORS + AC_MAX_STAGES + 1) * (n) + AC_ROOTS_OF * (m) + 2 * (z) + (entries))
 #define AC_LU_DOUBLES(n, entries_w, capacity) ((entries_w) + 2 * (capacity) + 2 * (n))
 #define AC_LU_INTS(n, capacity) (2 * (capacity) + 7 * (n) + 2)
 int ac_doubles(int n, int m, int z, int entries);
@@ -196,6 +197,7 @@ double ac_measured(ac_solver *s);
 void ac_blame(ac_solver *s, double e, int failed);
 void ac_known(ac_model *m, double t, const double *x, const double *f, const double *z);
 void ac_shorter(ac_solver *s, double h);
+void ac_look_from_start(ac_solver *s);
 int ac_fixed_step(ac_solver *s, double until);
 int ac_explicit(ac_solver *s, double h);
 double ac_first_step(ac_solver *s, double until);

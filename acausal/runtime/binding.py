@@ -168,7 +168,7 @@ class SolverStructure(Structure):
         *typed("max_steps", c_longlong),
         *pointers("clock jmap diagonal"),
         *typed("t t0 t1 h", c_double),
-        *pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 stage k scale ratio error"),
+        *pointers("x x0 x1 f0 f1 f_old k1 k2 k3 z1 z0 stage k scale ratio error"),
         *pointers("side slack slack0 g_old g_new g_try g_mid crossed"),
         *typed(
             "have_step have_f0 have_old have_jacobian have_dense have_end first last_rejected "

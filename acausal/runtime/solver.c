@@ -37,6 +37,7 @@ void ac_init(ac_solver *s, double *doubles, int *ints)
         *roots[i] = take(&doubles, m->crossings);
     }
     s->z1 = take(&doubles, m->guesses);
+    s->z0 = take(&doubles, m->guesses);
     s->ratio = take(&doubles, m->entries + n); /* the last n: d xdot / d t */
     s->crossed = ints;
     for (int j = 0, p = 0; j < n; j++) { /* entries of J come by columns, as those of W do */
@@ -211,6 +212,10 @@ static int moved(ac_solver *s, double until)
 /* Rows at the grid points up to `t`. */
 int ac_written(ac_solver *s, const double *grid, int count, double *rows, int *filled)
 {
+    int looks = s->have_step && s->method == AC_RODAS5P && s->model->guesses > 0 && !s->have_end;
+    if (looks && *filled < count && grid[*filled] <= s->t && grid[*filled] < s->t1) {
+        ac_look_from_start(s); /* rows follow the branch that the step began on, as far as it goes */
+    }
     while (*filled < count && grid[*filled] <= s->t) {
         double *row = rows + (size_t)*filled * (size_t)s->model->outputs;
         if (s->have_step && !s->have_dense && grid[*filled] < s->t1) {

@@ -113,6 +113,16 @@ static void blame_convergence(ac_solver *s)
     }
 }
 
+/* A block may have several solutions: what a trial step found far away must not be where the next one looks. */
+void ac_look_from_start(ac_solver *s)
+{
+    ac_model *m = s->model;
+    if (m->guesses > 0) {
+        memcpy(m->guess, s->z0, (size_t)m->guesses * sizeof(double));
+        m->settled = 0;
+    }
+}
+
 static int begun(ac_solver *s, double until)
 {
     ac_model *m = s->model;
@@ -130,9 +140,13 @@ static int begun(ac_solver *s, double until)
     if (code != 0) {
         return code;
     }
+    if (m->guesses > 0) {
+        memcpy(s->z0, m->guess, (size_t)m->guesses * sizeof(double));
+    }
     if (s->first) {
         s->h_next = ac_first_step(s, until);
         s->h_accepted = s->h_next;
+        ac_look_from_start(s);
     }
     code = n > 0 ? ac_matrix(m, s->t0, s->x0) : 0;
     if (code == 0 && n > 0) {
@@ -224,6 +238,7 @@ int ac_variable_step(ac_solver *s, double until)
         }
         s->rejected++;
         s->last_rejected = 1;
+        ac_look_from_start(s);
         if (isinf(e)) {
             s->failures++;
             blame_convergence(s);
@@ -245,6 +260,7 @@ int ac_variable_step(ac_solver *s, double until)
 /* Takes the last step back; the next is of length h. */
 void ac_shorter(ac_solver *s, double h)
 {
+    ac_look_from_start(s);
     s->t = s->t1 = s->t0;
     memcpy(s->x1, s->x0, (size_t)s->model->states * sizeof(double));
     s->have_end = 0;

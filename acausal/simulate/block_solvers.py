@@ -42,7 +42,7 @@ class Walk:
     local: bool = False
 
 
-_LOCAL = 15
+_LOCAL = newton.BRIEF
 """Newton iterations of a step along a path."""
 
 
@@ -98,7 +98,8 @@ def _nonlinear(code: ImplicitCode, known: Vector, nominal: Vector, how: Walk) ->
     def system(z: Vector) -> tuple[Vector, Matrix]:
         return residual_and_jacobian(code.residual, z, known)
 
-    solution = newton.solve(system, start, nominal, _LOCAL if how.local else newton.MAX_ITERATIONS)
+    brief = how.local or (len(start) == 1 and how.kind is SimulationProblem)  # looking around is better then
+    solution = newton.solve(system, start, nominal, _LOCAL if brief else newton.MAX_ITERATIONS)
     if solution.converged:
         return solution.z, False
     continued = None if how.local else _otherwise(system, start, nominal, how)

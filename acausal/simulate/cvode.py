@@ -95,6 +95,7 @@ class Cvode:
         self._rhs_evaluations = self._jacobian_evaluations = 0
         self._steps = self._finished_steps = 0
         self._latest = -np.inf
+        self._before = self._ahead = evaluator.guess.copy()
         self._settled = False
         self._time = -np.inf
         self._slow = 0
@@ -146,10 +147,13 @@ class Cvode:
 
     def _derivatives(self, t: float, y: Vector, yp: Vector, /) -> None:
         self._rhs_evaluations += 1
+        evaluator = self._evaluator
         if t > self._latest:
             self._steps += 1
+            self._before = evaluator.guess.copy()
+        elif t < self._latest:  # a step was refused: blocks are looked for where the last one ended
+            evaluator.guess[:] = self._before
         self._latest = t
-        evaluator = self._evaluator
         if not evaluator.x.size:
             yp[0] = 0.0
             return
@@ -187,13 +191,28 @@ class Cvode:
         self._settled = False
         self._broken = None
         self._latest = self._time = time
+        self._before = self._ahead = self._evaluator.guess.copy()
         self._begin(time, x)
 
     def _begin(self, time: float, x: Vector) -> None:
         self._start(time, x if x.size else np.zeros(1))
 
     def advance(self, target: float, stop: float) -> Arrival:
-        """To `target` in pieces that end where the slope of an input jumps: as many as there are kinks."""
+        """To `target` in pieces that end where the slope of an input jumps: as many as there are kinks.
+
+        Steps reach beyond the target: blocks are looked for there from where the last steps ended, at the
+        target from where the last row was.
+        """
+        guess = self._evaluator.guess
+        last = guess.copy()
+        guess[:] = self._ahead
+        try:
+            return self._reach(target, stop)
+        finally:
+            self._ahead = guess.copy()
+            guess[:] = last
+
+    def _reach(self, target: float, stop: float) -> Arrival:
         while True:
             kink = self._evaluator.inputs.next_kink(self._time)
             if kink >= target - _ROUND * max(abs(target), abs(self._time)):
@@ -222,6 +241,7 @@ class Cvode:
                 continue
             self._time = time
             self._slow, self._broken = 0, None
+            self._evaluator.judge_jumps(time)
             if found.status == 2 and found.i_events is not None and self._roots is not None:
                 crossed = np.zeros(self._evaluator.m.size, dtype=np.int_)
                 crossed[self._evaluator.located] = found.i_events[-1]

@@ -16,22 +16,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.codegen.functions import Code, state_leaves
+from acausal.codegen.program import ImplicitCode
 from acausal.errors import SimulationProblem
 from acausal.simulate.block_solvers import Walk
 from acausal.simulate.buffered import Buffered, Robust
 from acausal.simulate.call import call
 from acausal.simulate.history import History, Sample
 from acausal.simulate.inputs import Inputs
+from acausal.simulate.jumps import Jumps
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name
-from acausal.simulate.walk import walk
+from acausal.simulate.turns import turns_between
+from acausal.simulate.walk import Walked, walk
 from acausal.symbolic.expressions.expr import Expr, der
 
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
 _CLEAR, _REST = 1e-11, 0.1
 _ROUNDING = 1e-13
-_LONG_WALKS = 200
+_LONG_WALKS = 5000
 """So many times a run solves its blocks by homotopy, if need be."""
 _IN_VAIN = 5
 """After so many failures in a row it no longer does."""
@@ -60,6 +63,7 @@ class Evaluator:
         self.settled_z = self.guess.copy()
         """The solution of the blocks at the last event."""
         self._walks, self._in_vain = 0, 0
+        self.jumps = Jumps()
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
         self.x_nominal = _positive(nominal[0].ravel())
@@ -282,11 +286,13 @@ class Evaluator:
         slots, values = self.code.dynamic.slots, None
         attempts = [(self.guess_of(), True), (settled, True)]
         if self._walks <= _LONG_WALKS and self._in_vain < _IN_VAIN:
-            attempts.append((settled, False))
+            attempts.append((self.guess_of(), False))
         for guess, local in attempts:
             with suppress(SimulationProblem):
                 how = Walk(SimulationProblem, time, self.nominal_of(), guess, local)
-                values = walk(self.code.dynamic, inputs, how).values
+                walked = walk(self.code.dynamic, inputs, how)
+                values = walked.values
+                self._note_jumps(walked, time)
                 break
         self._in_vain = self._in_vain + 1 if values is None else 0
         if values is None:
@@ -294,6 +300,24 @@ class Evaluator:
         found[0][:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]
         found[1][:] = values[[slots[leaf] for leaf in self.code.dynamic.guesses]]
         return True
+
+    def _note_jumps(self, walked: Walked, time: float) -> None:
+        """Of blocks of one unknown that were found beyond a fold."""
+        program = self.code.dynamic
+        slots, values = program.slots, walked.values
+        for code in program.codes if walked.continued else ():
+            if not isinstance(code, ImplicitCode) or len(code.block.tearing) != 1:
+                continue
+            z = code.block.tearing[0]
+            before, after = float(self.guess[program.guesses.index(z)]), float(values[slots[z]])
+            known = values[[slots[leaf] for leaf in code.reads]]
+            if code.block in walked.continued and turns_between(code, known, before, after):
+                self.jumps.note(code.block, time, before, after)
+
+    def judge_jumps(self, time: float) -> None:
+        """By where the run has got to, with the guesses that it left: whether blocks jumped on the way."""
+        if self.jumps.are_pending:
+            self.jumps.judge(time, dict(zip(self.code.dynamic.guesses, self.guess.tolist(), strict=True)))
 
     def nominal_of(self) -> dict[Expr, float]:
         return dict(zip(self.code.dynamic.guesses, self.z_nominal.tolist(), strict=True))

@@ -304,6 +304,7 @@ class NativeSolver:
         end = min(until, self._evaluator.inputs.next_kink(self._time))
         found = self._stretch(targets, end)
         self._look_for_interrupts()
+        self._evaluator.judge_jumps(self._solver.t)
         code, times, rows, taken = found.code, found.times, found.rows, found.taken
         if code < 0 and code != binding.ROW_NOT_FINITE:
             if not len(times):

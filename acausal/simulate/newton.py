@@ -35,6 +35,8 @@ System = Callable[[Vector], tuple[Vector, Matrix]]
 CONVERGED = 1e-12
 ACCEPTED = 1e-8
 MAX_ITERATIONS = 500
+BRIEF, _STALE = 15, 4
+"""With a limit up to this, iterations that gain less than half in so many are given up."""
 _HALVINGS = 40
 _ESCAPES = 4
 _PROBE = 1e-6
@@ -96,7 +98,11 @@ def _iterate(system: System, start: Vector, nominal: Vector, limit: int) -> Solu
     if point is None:
         return Solution(start, False, np.full(len(start), np.inf), 0)
     escapes = 0
+    course: list[float] = []
     for iteration in range(limit):
+        course.append(point.worst)
+        if limit <= BRIEF and iteration >= _STALE and course[-1] > 0.5 * course[-1 - _STALE]:
+            return Solution(point.z, False, point.scaled, iteration)
         done = point.worst <= CONVERGED
         if done and _is_solution(system, point):
             return Solution(point.z, True, point.scaled, iteration)

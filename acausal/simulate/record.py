@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from acausal.errors import Diagnostic, SimulationProblem, Span
 from acausal.lang.flat import Assertion
+from acausal.simulate.branches import Branches
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at
@@ -40,6 +41,7 @@ class Recorder:
         self.leaves = evaluator.code.output_leaves
         """What the columns of `data` are."""
         self._order: NDArray[np.int_] | None = None
+        self._branches = Branches(evaluator)
         self._taken = 0
         self.count = 0
         """How many rows there were, those that were taken included."""
@@ -68,6 +70,7 @@ class Recorder:
     def go_on_with(self, evaluator: Evaluator) -> None:
         """Record another choice of states of the same system from now on, in the same columns."""
         self._evaluator = evaluator
+        self._branches.stop()
         position = {to_text(leaf): i for i, leaf in enumerate(evaluator.code.output_leaves)}
         self._order = np.array([position[to_text(leaf)] for leaf in self.leaves], dtype=np.int_)
 
@@ -83,6 +86,7 @@ class Recorder:
             evaluator.output()
         self.count += 1
         self._rows.add(time, row if self._order is None else row[self._order])
+        self._look(1)
         if evaluator.code.system.assertions:
             self._assert(time)
 
@@ -94,12 +98,19 @@ class Recorder:
         """Takes rows that were evaluated elsewhere; `look_again` is for those that need it."""
         self.count += len(times)
         self._rows.extend(times, rows if self._order is None else rows[:, self._order])
+        self._look(len(times))
 
     def look_again(self, time: float, x: Vector) -> None:
         """Evaluates the last row anew, and its assertions. Raises `SimulationProblem` as `add` does."""
         self.count -= 1
         self._rows.drop()
         self.add(time, x)
+
+    def _look(self, count: int) -> None:
+        """Looks for jumps in the last `count` rows."""
+        if self._branches.are_watched and self._rows.count > 1:
+            first = max(0, self._rows.count - count - 1)
+            self._branches.look(self._rows.times[first:], self._rows.data[first:])
 
     def _assert(self, time: float) -> None:
         evaluator = self._evaluator
@@ -125,7 +136,7 @@ class Recorder:
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:
-        return tuple(self._violated.values())
+        return (*self._evaluator.jumps.found.values(), *self._violated.values())
 
     @property
     def time(self) -> Vector:

@@ -76,7 +76,7 @@ class Reselection:
         renewed.m[:] = 1.0
         renewed.m[:own] = evaluator.m[:own]
         renewed.d[:] = evaluator.d
-        renewed.u[:], renewed.history = evaluator.u, evaluator.history
+        renewed.u[:], renewed.history, renewed.jumps = evaluator.u, evaluator.history, evaluator.jumps
         renewed.guess[:] = [values.get(to_text(leaf), 0.0) for leaf in code.dynamic.guesses]
         return renewed, np.array([values[name] for name in code.system.states])
 

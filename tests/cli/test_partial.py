@@ -85,3 +85,26 @@ def test_progress_line() -> None:
     assert line.count("#") == 15
     assert "50%" in line
     assert "2 of 3 s, 0.5 times real time" in line
+
+
+def test_a_result_that_was_cut_short_is_not_continued(call: Call, working_directory: Path) -> None:
+    (working_directory / "Long.mo").write_text(LONG)
+    for name in ("part.csv", "part.mat"):
+        assert call("simulate", "Long.mo", "--stop-time", "4", "-o", name).status == 0
+        file = working_directory / name
+        file.write_bytes(file.read_bytes()[: file.stat().st_size * 2 // 3])
+        done = call("simulate", "Long.mo", "--continue", name, "--json")
+        assert (done.status, done.problems[0]["code"]) == (2, "usage.continue")
+        assert "the run wrote 41" in str(done.problems[0]["message"])
+
+
+def test_jumps_of_blocks_are_in_json(call: Call, working_directory: Path) -> None:
+    (working_directory / "Jump.mo").write_text(
+        "model Jump Real x(start = -1, fixed = true), z(start = -1.5); equation\n"
+        "  der(x) = 1;\n  z ^ 3 / 3 - z = x;\nannotation(experiment(StopTime = 3));\nend Jump;\n"
+    )
+    warning = call("simulate", "Jump.mo", "--json").data["warnings"][0]
+    warnings = call("simulate", "Jump.mo", "--json").data["warnings"]
+    assert isinstance(warnings, list)
+    assert str(warnings[0]).startswith("{'severity': 'warning', 'code': 'simulate.jump'")
+    assert "'line': 3," in str(warnings[0])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import acausal
-from acausal.errors import SimulationProblem
+from acausal.errors import SimulationProblem, UnsupportedProblem, UsageProblem
 
 CASES = {
     "condition": (
@@ -142,3 +142,47 @@ def test_a_solver_that_gives_up_shows_the_equation() -> None:
         assert found.code == "simulate.step-too-small"
         assert "`der(x) = exp(x) - 1`" in found.message
         assert "escapes to infinity" in found.hint
+
+
+@pytest.mark.parametrize(
+    ("settings", "code"),
+    [
+        ({"step": 1e-300, "solver": "heun"}, "simulate.step"),
+        ({"max_step": 1e-12}, "simulate.max-step"),
+        ({"rtol": 1.0}, "simulate.rtol"),
+        ({"rtol": 1e-20}, "simulate.rtol"),
+        ({"stop_time": float("nan")}, "simulate.stop-time"),
+        ({"stop_time": 1e-320}, "simulate.stop-time"),
+        ({"start_time": 1e15, "stop_time": 1e15 + 1}, "simulate.stop-time"),
+    ],
+)
+def test_what_no_run_can_have_is_refused_before_it(settings: dict[str, object], code: str) -> None:
+    compiled = acausal.loads("model N Real x(start = 0, fixed = true); equation der(x) = 1; end N;").compile()
+    with pytest.raises(UsageProblem) as caught:
+        compiled.simulate(**settings)  # pyright: ignore[reportArgumentType]
+    assert caught.value.codes == (code,)
+
+
+def test_steps_that_were_asked_for_are_no_collapse() -> None:
+    """More of them than a run that chooses its own may take."""
+    compiled = acausal.loads("model N Real x(start = 0, fixed = true); equation der(x) = 1; end N;").compile()
+    run = compiled.simulate(stop_time=1e5, max_step=1e5 / 2.0e5, interval=1e4, compiled=False)
+    assert run.statistics.steps >= 2e5
+
+
+def test_strings_that_change_are_refused_and_those_that_decide_are_structural() -> None:
+    head = "model M Real x(start = 0, fixed = true); parameter Boolean q = true;"
+    changing = f'{head} String s; equation der(x) = 1; s = if x > 0.5 then "a" else "b"; end M;'
+    with pytest.raises(UnsupportedProblem, match="the String `s` would have to be computed") as caught:
+        acausal.loads(changing).compile()
+    assert caught.value.diagnostics[0].span is not None
+    decisive = (
+        f'{head} parameter String s = if q then "a" else "b"; '
+        'equation der(x) = if s == "a" then 1 else 2; end M;'
+    )
+    compiled = acausal.loads(decisive).compile()
+    assert compiled.simulate(compiled=False).values("x")[-1] == pytest.approx(1.0)
+    with pytest.raises(UsageProblem, match="`q` is structural"):
+        compiled.simulate(parameters={"q": False})
+    other = acausal.loads(decisive).compile(q=False)
+    assert other.simulate(compiled=False).values("x")[-1] == pytest.approx(2.0)
