@@ -204,16 +204,8 @@ class Evaluator:
         """Derivatives and solved blocks at the present point, unless they are known already."""
         if not self.guess.size:
             self.ode()
-        elif self._solved != self._point() and not self.evaluate():
-            self._rescue()
-
-    def _rescue(self) -> None:
-        """Where plain Newton iterations find no solution of a block, others may: as in the run-time in C."""
-        if np.isfinite(self.z).all():
-            return  # it is not the blocks
-        found = [self.xdot, self.z]
-        if self.walk_into(found, float(self.t[0]), self.x):
-            self.guess[:] = self.z
+        elif self._solved != self._point():
+            self.evaluate()
 
     def _point(self) -> tuple[float, bytes, bytes, bytes]:
         return float(self.t[0]), self.x.tobytes(), self.m.tobytes(), self.d.tobytes()

@@ -98,8 +98,9 @@ def stopped(
     Where a nonlinear block is close to singular there, that is the reason.
     """
     evaluator.at(time, x)
+    block = ending_block(evaluator)  # before the evaluator looks for another solution
     evaluator.evaluate()
-    block = ending_block(evaluator)
+    block = block or ending_block(evaluator)
     names = _dominant(evaluator, limits, x)
     message = f"{who} stopped {at(time)}: {cause}; states that change most for their tolerance: {some(names)}"
     if block is not None:
