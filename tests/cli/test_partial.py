@@ -103,7 +103,6 @@ def test_jumps_of_blocks_are_in_json(call: Call, working_directory: Path) -> Non
         "model Jump Real x(start = -1, fixed = true), z(start = -1.5); equation\n"
         "  der(x) = 1;\n  z ^ 3 / 3 - z = x;\nannotation(experiment(StopTime = 3));\nend Jump;\n"
     )
-    warnings = call("simulate", "Jump.mo", "--json").data["warnings"]
-    assert isinstance(warnings, list)
-    assert str(warnings[0]).startswith("{'severity': 'warning', 'code': 'simulate.jump'")
-    assert "'line': 3," in str(warnings[0])
+    told = str(call("simulate", "Jump.mo", "--json").data["warnings"])
+    assert told.startswith("[{'severity': 'warning', 'code': 'simulate.jump'")
+    assert "'line': 3," in told
