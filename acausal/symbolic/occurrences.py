@@ -14,6 +14,8 @@ from acausal.symbolic.expressions.expr import Expr, Kind, gather, symbols
 from acausal.symbolic.expressions.node import Wide
 from acausal.symbolic.leaves import all_leaves, present
 
+_COMPOSED = frozenset({"call", "delay", "derived"})
+_PLAIN = Kind("plain leaves", frozenset({"sym", "der", "pre"}) | _COMPOSED, lambda node: node.args)
 _HERE = Kind("leaves and calls", frozenset({"sym", "der", "pre", "call"}), present)
 _PAST = Kind("past and calls", frozenset({"pre", "delay", "derived", "call"}), lambda node: node.args)
 
@@ -65,7 +67,12 @@ class Occurrences:
         """Put the variables below `roots` into a row; the leaves, and the shared arguments, which are not."""
         found: list[Expr] = []
         shared: dict[Wide, None] = {}
-        for leaf in _outside(roots, _HERE, shared):
+        leaves = gather(roots, _PLAIN)
+        if any(node.op in _COMPOSED for node in leaves):
+            leaves, past = list(_outside(roots, _HERE, shared)), list(_outside(roots, _PAST, shared))
+        else:
+            past = [leaf for leaf in leaves if leaf.op == "pre"]
+        for leaf in leaves:
             name = base_name(leaf)
             if leaf.op == "pre" or name not in self._unknown:
                 continue
@@ -75,7 +82,6 @@ class Occurrences:
             if name not in before:
                 before.add(name)
                 self.add(name, row)
-        past = list(_outside(roots, _PAST, shared))
         for name in symbols(past) if past else ():
             if name in self._unknown and name not in before:
                 self.add(name, row)
