@@ -109,6 +109,7 @@ SWITCH_VALVE = parameters(
     A_latch=10e-6,
     V_latch=0.5e-6,
 )
+CUT_VALVE = parameters(**SWITCH_VALVE, s_cut=2.2e-3, d_cut=10e-3, coverage_cut=0.06, p_line=8e5)
 CONVERTER_REGULATOR = parameters(
     m=1e-3,
     c=2e3,
@@ -129,6 +130,15 @@ CONVERTER_REGULATOR = parameters(
     V_2=6e-6,
     d_2=2e-3,
 )
+_LUBRICATION = {
+    "c": 1.5e3,
+    "F_preload": 80.0,
+    "d_edge": 22e-3,
+    "coverage": 0.4,
+    "jet_angle": 1.4,
+    "d_load": 2e-3,
+}
+LUBRICATION_REGULATOR = {**CONVERTER_REGULATOR, **_LUBRICATION, "A_1": 400e-6, "V_1": 20e-6}
 ACCUMULATOR = parameters(
     m=1e-3, c=20e3, d=50.0, F_preload=300.0, s_max=15e-3, A=500e-6, V=10e-6, d_orifice=2e-3
 )
@@ -252,6 +262,19 @@ def lockup_control(par: Parameters, command: tuple[float, float, float, float]) 
     return derivative
 
 
+def cut_valve(par: Parameters, pilot: tuple[float, float, float, float]) -> Model:
+    """States s, v, p_out: a switch valve whose spool also feels the jets that drain four lines."""
+    drains = {**par, "d_edge": par["d_cut"], "coverage": par["coverage_cut"]}
+    switch = switch_valve(par, pilot)
+
+    def derivative(time: float, y: Array) -> list[float]:
+        v, dv, dp = switch(time, y)
+        jet = sharp_edge(float(y[0]) - par["s_cut"], par["p_line"], P_0, drains)[1]
+        return [v, dv - 4 * jet / par["m"], dp]
+
+    return derivative
+
+
 def switch_valve(par: Parameters, pilot: tuple[float, float, float, float]) -> Model:
     """States s, v, p_out; the latch's chamber is one volume with the outlet."""
 
@@ -266,18 +289,35 @@ def switch_valve(par: Parameters, pilot: tuple[float, float, float, float]) -> M
     return derivative
 
 
-def converter_regulator(par: Parameters, supply: tuple[float, float, float, float]) -> Model:
-    """States s, v, p, p_1, p_2; `supply` is the volume flow at the far end of a laminar feed.
-
-    The feed's mass flow, the source's volume flow at the density before the feed, is found by iteration.
-    """
+def fed(flow: float, p: float, par: Parameters) -> float:
+    """Mass flow through a laminar feed [kg/s]: the volume flow at the density before it, by iteration."""
     slope = np.pi * 6e-3**4 / (128 * par["nu"] * 2.0)
+    mass = flow * density(p, par)
+    for _ in range(20):
+        mass = flow * density(p + mass / slope, par)
+    return mass
 
-    def fed(flow: float, p: float) -> float:
-        mass = flow * density(p, par)
-        for _ in range(20):
-            mass = flow * density(p + mass / slope, par)
-        return mass
+
+def lubrication_regulator(par: Parameters, supply: tuple[float, float, float, float]) -> Model:
+    """States s, v, p, p_1; `supply` is the volume flow at the far end of a laminar feed."""
+
+    def derivative(time: float, y: Array) -> list[float]:
+        s, v, p, p_1 = map(float, y)
+        relief, jet = sharp_edge(s - par["overlap"], p, P_0, par)
+        feedback, area = orifice(p, p_1, par["d_1"], par), par["A_1"]
+        mass = fed(ramp(time, supply), p, par) - relief - feedback - orifice(p, P_0, par["d_load"], par)
+        return [
+            v,
+            acceleration(s, v, area * (p_1 - P_0) - jet, par),
+            rate(p, par["V_in"], mass, 0.0, par),
+            rate(p_1, par["V_1"] + area * s, feedback, area * v, par),
+        ]
+
+    return derivative
+
+
+def converter_regulator(par: Parameters, supply: tuple[float, float, float, float]) -> Model:
+    """States s, v, p, p_1, p_2; `supply` is the volume flow at the far end of a laminar feed."""
 
     def derivative(time: float, y: Array) -> list[float]:
         s, v, p, p_1, p_2 = map(float, y)
@@ -287,7 +327,7 @@ def converter_regulator(par: Parameters, supply: tuple[float, float, float, floa
         load = orifice(p, P_0, par["d_load"], par)
         opens, closes = par["A_1"], par["A_2"]
         force = opens * (p_1 - P_0) - closes * (p_2 - P_0) - jet
-        mass = fed(ramp(time, supply), p) - relief - first - second - load
+        mass = fed(ramp(time, supply), p, par) - relief - first - second - load
         return [
             v,
             acceleration(s, v, force, par),

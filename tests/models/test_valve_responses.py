@@ -73,6 +73,22 @@ CASES = (
         0.06,
     ),
     Case(
+        "CutValveL1",
+        step(P_0, 8e5),
+        reference.cut_valve(reference.CUT_VALVE, (0.01, 0.02, P_0, 8e5)),
+        spool(reference.CUT_VALVE, "p"),
+        ("s", SPOOL + "v", "p_out"),
+        0.06,
+    ),
+    Case(
+        "LubricationRegulatorL1",
+        {"supply.startTime": 0.1, "supply.duration": 0.01},
+        reference.lubrication_regulator(reference.LUBRICATION_REGULATOR, (0.1, 0.01, 5 / 6e4, 20 / 6e4)),
+        spool(reference.LUBRICATION_REGULATOR, "p", "p_1"),
+        ("s", SPOOL + "v", "p_out", STAGE + "feedback.chamber.p"),
+        0.14,
+    ),
+    Case(
         "ConverterRegulatorL1",
         {"supply.startTime": 0.1, "supply.duration": 0.01},
         reference.converter_regulator(reference.CONVERTER_REGULATOR, (0.1, 0.01, 5 / 6e4, 20 / 6e4)),

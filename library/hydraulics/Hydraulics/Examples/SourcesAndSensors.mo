@@ -5,6 +5,9 @@ model SourcesAndSensors "Every source over time, seen by sensors"
   Sources.FilteredPressureStep pressureStep(p_start = 1e5, p_end = 5e5, T = 0.2) "Filtered step of pressure";
   Sources.FilteredFlowStep flowStep(q_end = 1e-4, T = 0.3) "Filtered step of flow";
   Sources.FlowSignal flowSignal "Flow by a signal";
+  Sources.PressureSignal pressureSignal "Pressure by a signal";
+  Signals.Sources.Constant two(k = 2e5) "Signal";
+  Sensors.PressureSensor seenSignal "Sees the pressure by a signal";
   Signals.Sources.Constant half(k = 5e-5) "Signal";
   Sensors.PressureSensor seenTable "Sees the table";
   Sensors.PressureSensor seenStep "Sees the step";
@@ -15,6 +18,8 @@ model SourcesAndSensors "Every source over time, seen by sensors"
 equation
   connect(pressureTable.port, seenTable.port);
   connect(pressureStep.port, seenStep.port);
+  connect(two.y, pressureSignal.p);
+  connect(pressureSignal.port, seenSignal.port);
   connect(half.y, flowSignal.q);
   connect(flowTable.port, seenFlow.port_a);
   connect(flowSignal.port, seenFlow.port_a);
@@ -26,7 +31,7 @@ equation
   der(lag[3]) = (1e-4 - lag[3])/0.3;
   der(lag[4]) = (lag[3] - lag[4])/0.3;
   error = (seenTable.p - noEvent(if time < 1 then 1e5 + 2e5*time else 4e5 - 1e5*time))/1e5
-    + (seenStep.p - lag[2])/4e5 + (seenFlow.q - noEvent(min(time, 1))*1e-4 - 5e-5 - lag[4])/1e-4;
+    + (seenSignal.p - 2e5)/2e5 + (seenStep.p - lag[2])/4e5 + (seenFlow.q - noEvent(min(time, 1))*1e-4 - 5e-5 - lag[4])/1e-4;
   annotation(
     experiment(StopTime = 2, Tolerance = 1e-8),
     Documentation(info = "<html>
