@@ -90,13 +90,16 @@ def with_starts(
     for block in code.system.initial.blocks:
         if block.tearing and named.issuperset(map(leaf_name, block.unknowns)):
             sides = [side for e in block_equations(block) for side in (e.left, e.right)]
-            held += [n for n in symbols(sides) if reasons.get(n) in _USES and n not in held]
+            names = [leaf.name for side in sides for leaf in unknown_leaves(side) if leaf.op == "sym"]
+            held += [n for n in dict.fromkeys(names) if reasons.get(n) in _USES and n not in held]
     if not held:
         return error
     texts = [f"{name} = {number(starts[name])} ({_USES[reasons[name]]})" for name in held]
     hint = f"{first.hint}; the block uses the start values {listed(texts)}".removeprefix("; ")
     fixed = [name for name in held if reasons[name] == "fixed"]
-    if fixed:
+    if first.code.endswith("singular-block"):
+        pass
+    elif fixed:
         hint += f": try to remove `fixed = true` from {quoted(fixed, 'or')}"
     else:
         hint += ": others may help"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Mapping
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -10,17 +10,19 @@ from acausal.codegen.functions import Code
 from acausal.errors import AcausalError, Diagnostic
 from acausal.lang.flat import Origin, Variable
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import block_equations, leaf_name
+from acausal.simulate.messages import block_equations, leaf_name, number
 from acausal.symbolic.causal import CausalEquation, CausalSystem
-from acausal.symbolic.describe import place, quoted
+from acausal.symbolic.describe import place, short_text
 from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import Expr, postorder, symbols
+from acausal.symbolic.expressions.expr import ZERO, Expr, postorder, symbols
 from acausal.symbolic.parameters import definition
 from acausal.symbolic.user_lines import at_users_lines
 
 _ABOUT = ("simulate.singular-block", "simulate.no-solution", "simulate.not-finite")
 _MOST = 3
 """How many suspects are named."""
+_SMALL = 30
+"""Unknowns of a block in which a loose connector is worth a word: in large ones some are loose on purpose."""
 
 
 @contextmanager
@@ -38,7 +40,7 @@ def naming_suspects(code: Code, p: Vector) -> Generator[None, None, None]:
             if first.code not in _ABOUT:
                 raise
             values = dict(zip(system.parameters, p.tolist(), strict=True))
-            reasons = list(_reasons(system, values, error.diagnostics))[:_MOST]
+            reasons = _reasons(system, values, error.diagnostics)[:_MOST]
             if not reasons:
                 raise
             hint = "; ".join([*(reason.hint for reason in reasons), *([first.hint] if first.hint else [])])
@@ -46,31 +48,70 @@ def naming_suspects(code: Code, p: Vector) -> Generator[None, None, None]:
 
 
 def _reasons(
-    system: CausalSystem, values: Mapping[str, float], diagnostics: Iterable[Diagnostic]
-) -> Generator[Diagnostic, None, None]:
-    code = next(iter(diagnostics)).code
+    system: CausalSystem, values: Mapping[str, float], diagnostics: Sequence[Diagnostic]
+) -> list[Diagnostic]:
+    """What the user set to zero, then what is loose, then what is zero by a default, then differences."""
+    code = diagnostics[0].code
     equations = _equations(system, diagnostics)
-    zeros = dict.fromkeys(name for e in equations for name in _zeros(e, values))
-    for variable in _given(system, zeros, values):
-        where = variable.value_span or variable.span
-        text = f"`{variable.name}` is zero ({place(where)}), and what it multiplies or divides decides here"
-        yield Diagnostic(
-            code, text, where, (variable.name,), f"`{variable.name}` is zero: give it another value"
-        )
+    factors = list(dict.fromkeys(factor for e in equations for factor in _zeros(e, values)))
+    given = list(_given(system, symbols(factors), values))
+    by_user = [_zero(variable, code) for variable in given if variable.value_span is not None]
+    by_default = [_zero(variable, code) for variable in given if variable.value_span is None]
+    small = len(diagnostics[0].names) <= _SMALL
+    loose = _loose(system, equations, code, anywhere=not factors) if small else []
+    sums = [] if given else [_vanishing(system, factor, values, code) for factor in factors]
+    return [*by_user, *loose, *by_default, *sums]
+
+
+def _zero(variable: Variable, code: str) -> Diagnostic:
+    """The reason that a parameter is zero."""
+    where = variable.value_span or variable.span
+    text = f"`{variable.name}` is zero ({place(where)}), and what it multiplies or divides decides here"
+    hint = f"`{variable.name}` is zero: give it another value"
+    return Diagnostic(code, text, where, (variable.name,), hint)
+
+
+def _vanishing(system: CausalSystem, factor: Expr, values: Mapping[str, float], code: str) -> Diagnostic:
+    """The reason that an expression is zero though none of its parameters is."""
+    names = symbols([factor])
+    first = system.flat.by_name[names[0]]
+    shown = ", ".join(f"{name} = {number(values[name])}" for name in names)
+    what = f"`{short_text(factor)}` is zero"
+    text = f"{what} with {shown}, and what it multiplies or divides decides here"
+    hint = f"{what}: give its parameters other values"
+    return Diagnostic(code, text, first.value_span or first.span, names, hint)
+
+
+def _loose(
+    system: CausalSystem, equations: Iterable[CausalEquation], code: str, *, anywhere: bool
+) -> list[Diagnostic]:
+    """Connectors without connection whose flow, which is zero, makes something in the equations zero.
+
+    `anywhere`: if there is none, those of the components that the equations stand in.
+    """
     flat = system.flat
     zero_flows = {e.left.name: e for e in flat.equations if e.origin is Origin.UNCONNECTED}
-    held = [name for e in equations for name in symbols([e.flat.left, e.flat.right])]
-    loose = dict.fromkeys(name for name in held if name in zero_flows)
-    if not loose and not zeros:
+    zeros = {alias.name: alias.equation for alias in system.aliases if alias.value is ZERO}
+    seen = dict.fromkeys(name for e in equations for name in symbols([e.flat.left, e.flat.right]))
+    stack = list(seen)
+    while stack:
+        eliminated = zeros.get(stack.pop())
+        names = () if eliminated is None else symbols([eliminated.left, eliminated.right])
+        new = [name for name in names if name not in seen]
+        seen.update(dict.fromkeys(new))
+        stack += new
+    loose = [name for name in seen if name in zero_flows]
+    if not loose and anywhere:
         owners = {e.flat.component for e in equations} - {""}
-        loose = dict.fromkeys(name for name in zero_flows if flat.places.owner(name) in owners)
+        loose = [name for name in zero_flows if flat.places.owner(name) in owners]
+    found: list[Diagnostic] = []
     for name in loose:
         end = name.rpartition(".")[0]
         where = flat.places.components.get(flat.places.owner(name), zero_flows[name].span)
         text = f"`{end}` is not connected ({place(where)}), so that `{name}` is zero"
-        yield Diagnostic(
-            code, text, where, (name,), f"connect {quoted([end])}, which is connected to nothing"
-        )
+        hint = f"connect `{end}`, which is connected to nothing"
+        found.append(Diagnostic(code, text, where, (name,), hint))
+    return found
 
 
 def _equations(system: CausalSystem, diagnostics: Iterable[Diagnostic]) -> list[CausalEquation]:
@@ -92,8 +133,8 @@ def _equations(system: CausalSystem, diagnostics: Iterable[Diagnostic]) -> list[
     ]
 
 
-def _zeros(equation: CausalEquation, values: Mapping[str, float]) -> Generator[str, None, None]:
-    """Parameters that make a factor of something unknown, or what something is divided by, zero."""
+def _zeros(equation: CausalEquation, values: Mapping[str, float]) -> Generator[Expr, None, None]:
+    """Factors of something unknown, and what something is divided by, that parameters make zero."""
     known: dict[Expr, bool] = {}
     for node in postorder([equation.left, equation.right]):
         known[node] = node.op == "const" or (
@@ -107,7 +148,7 @@ def _zeros(equation: CausalEquation, values: Mapping[str, float]) -> Generator[s
             continue
         for factor in factors:
             if known[factor] and _value(factor, values) == 0:
-                yield from symbols([factor])
+                yield factor
 
 
 def _value(expr: Expr, values: Mapping[str, float]) -> float | None:

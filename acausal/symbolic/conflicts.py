@@ -217,7 +217,8 @@ def _repeated(conflict: Conflict) -> _Story | None:
 def _unconnected(conflict: Conflict) -> _Story:
     """A connector that nothing is connected to lets no flow through."""
     circuit = conflict.circuit
-    ends = [connector_of(e.left.name) for e in conflict.loose]
+    loose = {connector_of(e.left.name): e for e in reversed(conflict.loose)}
+    ends = list(reversed(loose))
     zero = listed([f"`{shown(e)}`" for e in conflict.loose])
     is_, its = ("is", "its") if len(ends) == 1 else ("are", "their")
     text = f"{quoted(ends)} {is_} not connected, which makes {its} {circuit.domain.through} zero ({zero})"
@@ -226,7 +227,8 @@ def _unconnected(conflict: Conflict) -> _Story:
         verb = "prescribes" if len(sources) == 1 else "prescribe"
         text += f" while {quoted(sources)} {verb} it"
     culprits: list[tuple[Span, str]] = []
-    for end, e in zip(ends, conflict.loose, strict=True):
+    for end in ends:
+        e = loose[end]
         where = circuit.span_of(circuit.part_of_equation(e), e.span)
         culprits.append((where, f"`{end}` is not connected"))
     culprits += _declared(conflict)
@@ -248,7 +250,11 @@ def _fighting(conflict: Conflict) -> _Story:
     """Components prescribe more than what is between them leaves free."""
     circuit = conflict.circuit
     sources = list(conflict.sources)
-    joined = [e for e in reversed(conflict.equations) if e.origin is Origin.CONNECTION]
+    joined = [
+        e
+        for e in reversed(conflict.equations)
+        if e.origin is Origin.CONNECTION and not circuit.part_of_equation(e)
+    ]
     if len(sources) < 2 and joined and not circuit.flowing:
         return _closed(conflict, joined)
     parts = dict.fromkeys(circuit.part_of_equation(e) for e in conflict.equations)

@@ -184,6 +184,7 @@ def _undetermined(model: Simplified, free: Sequence[str]) -> BalanceProblem:
     found: list[Diagnostic] = []
     for name in free:
         also = f", nor {listed(list(free[1:]))}" if name == free[0] and free[1:] else ""
+        names: tuple[str, ...] = (name,)
         itself = next((e for e in model.equations if name in symbols([e.left, e.right])), None)
         if itself is None:
             message = f"no equation gives the discrete variable `{name}` a value at events{also}"
@@ -196,7 +197,9 @@ def _undetermined(model: Simplified, free: Sequence[str]) -> BalanceProblem:
             )
             hint = f"use `pre({name})` for its value before the event, or another equation for `{name}`"
             span = itself.flat.span
-        found.append(Diagnostic("discrete.undetermined", message, span, (name,), hint))
+            also_held = symbols([itself.flat.left, itself.flat.right])
+            names = tuple(dict.fromkeys((name, *also_held)))
+        found.append(Diagnostic("discrete.undetermined", message, span, names, hint))
     return BalanceProblem(found)
 
 

@@ -53,6 +53,7 @@ def definition(variable: Variable) -> Expr | None:
 def order_parameters(flat: FlatModel) -> tuple[str, ...]:
     """Parameters and constants so that each one's definition uses earlier ones only; else as declared.
 
+    The start value of a parameter that is not fixed counts as its definition.
     Depth-first, O(size of the definitions). Raises LookupProblem `parameter.cyclic` naming the cycle.
     """
     uses = {v.name: _uses(v, flat) for v in flat.parameters}
@@ -81,7 +82,7 @@ def order_parameters(flat: FlatModel) -> tuple[str, ...]:
 
 def _uses(variable: Variable, flat: FlatModel) -> tuple[str, ...]:
     expr = definition(variable)
-    if expr is None or not variable.is_fixed:
+    if expr is None:
         return ()
     by_name = flat.by_name
     return tuple(name for name in symbols([expr]) if name in by_name and not by_name[name].is_unknown)

@@ -76,3 +76,18 @@ def test_a_value_outside_min_and_max_is_refused(value: float, word: str) -> None
         acausal.loads(text).compile()
     assert caught.value.codes == ("parameter.out-of-range",)
     assert caught.value.diagnostics[0].names == ("k",)
+
+
+def test_the_start_of_a_free_parameter_may_use_a_later_one() -> None:
+    text = """model M
+      parameter Real p(fixed = false, start = 2*q);
+      parameter Real q = r + 3;
+      parameter Real r = 1 "Needed by q, and by p only through it";
+    initial equation
+      p^2 = 64;
+    end M;"""
+    found = acausal.loads(text).compile().simulate().parameters
+    assert found["p"] == pytest.approx(8)
+    with pytest.raises(LookupProblem) as caught:
+        acausal.loads(text.replace("r = 1", "r = p")).compile()
+    assert set(caught.value.diagnostics[0].names) == {"p", "q", "r"}
