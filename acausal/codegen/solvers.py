@@ -115,14 +115,22 @@ def regular_solution(matrix: MX, right: MX) -> tuple[MX, MX]:
 
 def _equilibration(matrix: SX) -> tuple[SX, SX]:
     """Factors that bring every row's and column's largest entry to 1 (LAPACK geequ); 1 where all are 0."""
-    absolute = ca.fabs(matrix)
-    rows = _reciprocals([ca.densify(row) for row in ca.vertsplit(absolute)])
-    scaled = ca.mtimes(ca.diag(rows), absolute)
-    return rows, _reciprocals([ca.densify(c) for c in ca.horzsplit(scaled)])
+    pattern = matrix.sparsity()
+    found_rows: list[int] = list(pattern.row())
+    found_columns: list[int] = list(pattern.get_col())
+    places = zip(found_rows, found_columns, strict=True)
+    entries = [ca.fabs(matrix[row, column]) for row, column in places]
+    rows = _reciprocals(entries, found_rows, int(matrix.shape[0]))
+    scaled = [entry * rows[row] for entry, row in zip(entries, found_rows, strict=True)]
+    return rows, _reciprocals(scaled, found_columns, int(matrix.shape[1]))
 
 
-def _reciprocals(vectors: Sequence[SX]) -> SX:
-    largest = [ca.mmax(vector) for vector in vectors]
+def _reciprocals(entries: Sequence[SX], groups: Sequence[int], count: int) -> SX:
+    """One over the largest entry of every group."""
+    members: list[list[SX]] = [[] for _ in range(count)]
+    for entry, group in zip(entries, groups, strict=True):
+        members[group].append(entry)
+    largest = [ca.mmax(ca.vertcat(*found)) if found else SX(0) for found in members]
     return column([ca.if_else(value > 0, 1 / value, 1.0) for value in largest])
 
 

@@ -18,6 +18,10 @@ GROWTH = 1e5
 """How much larger than the rounding errors they begin with errors may get along assignments."""
 STALE = 1e3
 """The same for errors that the beginning of a new chain should have ended."""
+LARGE = 60
+"""Guesses from which on a sparse matrix counts for more than a small one."""
+NEAR = 6
+"""Guesses that an assignment may depend on then."""
 _GOLDEN, _ROOT = (5**0.5 - 1) / 2, 2**0.5
 
 Coefficients = Mapping[Var, float | None]
@@ -32,9 +36,18 @@ def anchored(tearing: Tearing, rows: Sequence[Coefficients]) -> Tearing:
     assignments. Where one of them makes an error too large, the variable it is from is guessed, its equation
     becomes a residual, and the error begins anew; so does that of another variable in the same assignment,
     if it is from before this beginning and above `STALE`: several variables connect the parts of a chain.
-    A variable with a small pivot is guessed itself. O(E).
+    A variable with a small pivot is guessed itself.
+
+    Where that leaves more than `LARGE` guesses, whose matrix had better be sparse, variables are guessed so
+    that no assignment depends on more than `NEAR` guesses: of a grid of resistors, its nodes remain. O(E).
     """
-    chain = _Chain(tearing, _equilibrated(rows))
+    scaled = _equilibrated(rows)
+    found = _run(tearing, scaled, len(rows))
+    return found if len(found.tearing_vars) <= LARGE else _run(tearing, scaled, NEAR)
+
+
+def _run(tearing: Tearing, rows: Sequence[Mapping[Var, float]], most: int) -> Tearing:
+    chain = _Chain(tearing, rows, most)
     for eq, var in tearing.assignments:
         chain.run(eq, var)
     if not chain.anchors:
@@ -47,13 +60,16 @@ def anchored(tearing: Tearing, rows: Sequence[Coefficients]) -> Tearing:
 class _Chain:
     """Errors along the assignments; the round of a variable is the number of beginnings before it."""
 
-    def __init__(self, tearing: Tearing, rows: Sequence[Mapping[Var, float]]) -> None:
+    def __init__(self, tearing: Tearing, rows: Sequence[Mapping[Var, float]], most: int) -> None:
         self.anchors: dict[Var, Eq] = {}
         self._rows = rows
         self._error = {var: _generic(var) for var in tearing.tearing_vars}
         self._round = dict.fromkeys(tearing.tearing_vars, 0)
         self._rounds = 0
         self._equation: dict[Var, Eq] = {}
+        self._most = most
+        self._guesses = {var: frozenset([var]) for var in tearing.tearing_vars}
+        """Which guesses each variable depends on; not kept where `most` allows all."""
 
     def run(self, eq: Eq, var: Var) -> None:
         """Takes the next assignment."""
@@ -71,10 +87,22 @@ class _Chain:
         error -= sum(a * self._error[other] for other, a in others)
         self._equation[var] = eq
         self._round[var] = latest
+        self._guesses[var] = self._depends([other for other, _ in others])
         if abs(error) > GROWTH * pivot:
             self._cut(var, latest)
         else:
             self._error[var] = error / row[var]
+
+    def _depends(self, others: list[Var]) -> frozenset[Var]:
+        """The guesses that these depend on; where they are too many, those with the most are guessed."""
+        if self._most >= len(self._rows):
+            return frozenset()
+        for other in sorted(others, key=lambda v: -len(self._guesses[v])):
+            found = frozenset[Var]().union(*[self._guesses[v] for v in others])
+            if len(found) <= self._most:
+                return found
+            self._cut(other, self._round[other])
+        return frozenset[Var]().union(*[self._guesses[v] for v in others])
 
     def _from(self, other: Var, coefficient: float) -> float:
         return abs(coefficient * self._error[other])
@@ -84,7 +112,7 @@ class _Chain:
         if var in self.anchors or var not in self._equation:
             return False
         self.anchors[var] = self._equation[var]
-        self._error[var], self._round[var] = _generic(var), number
+        self._error[var], self._round[var], self._guesses[var] = _generic(var), number, frozenset([var])
         return True
 
 

@@ -113,6 +113,31 @@ def test_unknown_coefficients_count_as_the_largest() -> None:
     assert len(anchored(torn(ring(100, 4.0)), ring(100, 4.0)).tearing_vars) > 10
 
 
+def grid(size: int) -> Rows:
+    """Kirchhoff's laws on a grid of resistors: potentials of the nodes and currents of the links."""
+    node = {(i, j): Var(i * size + j) for i in range(size) for j in range(size)}
+    links = [((i, j), (i + di, j + dj)) for i, j in node for di, dj in ((0, 1), (1, 0))]
+    rows: list[dict[Var, float | None]] = [{var: 0.1} for var in node.values()]
+    for number, (a, b) in enumerate([link for link in links if link[1] in node]):
+        current = Var(len(node) + number)
+        rows.append({node[a]: 1.0, node[b]: -1.0, current: -(1.0 + number % 3)})
+        rows[node[a]][current] = 1.0
+        rows[node[b]][current] = -1.0
+    return rows
+
+
+def test_of_a_large_grid_a_sparse_matrix_remains() -> None:
+    """No row of it depends on more guesses than a few assignments do."""
+    rows = grid(20)
+    cut = anchored(torn(rows), rows)
+    depends = {var: {var} for var in cut.tearing_vars}
+    for eq, var in cut.assignments:
+        depends[var] = set[Var]().union(*[depends[other] for other in rows[eq] if other != var])
+    entries = sum(len(set[Var]().union(*[depends[var] for var in rows[eq]])) for eq in cut.residuals)
+    assert entries < 10 * len(cut.tearing_vars)
+    assert len(cut.tearing_vars) < 0.7 * len(rows)
+
+
 def test_work_is_linear() -> None:
     tearings = {size: torn(ring(size, 4.0)) for size in (500, 2000)}
     work = [lines_executed(lambda n=n: anchored(tearings[n], ring(n, 4.0))) for n in (500, 2000)]
