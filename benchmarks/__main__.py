@@ -14,7 +14,17 @@ from rich.console import Console
 from rich.table import Table
 
 import acausal
-from benchmarks import comparison, eigenvalues, first_result, gearbox, run_time, scale, solvers, steps
+from benchmarks import (
+    comparison,
+    eigenvalues,
+    first_result,
+    gearbox,
+    run_time,
+    scale,
+    solvers,
+    steps,
+    tearing,
+)
 from benchmarks.measure import Row
 
 BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
@@ -26,6 +36,7 @@ BENCHMARKS: dict[str, Callable[[bool], Iterable[Row]]] = {
     "first_result": lambda quick: first_result.rows(quick=quick),
     "gearbox": lambda quick: gearbox.rows(quick=quick),
     "steps": lambda quick: steps.rows(quick=quick),
+    "tearing": lambda _: tearing.rows(),
 }
 
 

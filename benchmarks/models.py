@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from benchmarks.loops import LOOPS, WATCHED
 from benchmarks.networks import DOMAINS, SHAPES, network, written_out
 
 
@@ -139,4 +140,5 @@ OTHERS = {
     "mechanical chain written out": Case(partial(written_out, "mechanical"), "Net.System", "node1.s"),
     "electrical chain written out": Case(partial(written_out, "electrical"), "Net.System", "node1.c.v"),
 }
-CASES = {**NETWORKS, **OTHERS}
+LOOP_CASES = {name: Case(text, "Net.System", WATCHED[name]) for name, text in LOOPS.items()}
+CASES = {**NETWORKS, **OTHERS, **LOOP_CASES}

@@ -1,4 +1,5 @@
-"""How compile time and memory grow with the model, by stage: nine networks from 1,000 to 100,000 equations.
+"""How compile time and memory grow with the model, by stage: nine networks from 1,000 to 100,000 equations,
+and six that are one system of equations.
 
 Timed: CPU time from text to ready functions, imports not. `us_*` is per scalar equation of the flat model,
 `growth` the total over that of the smallest size, `MiB` the peak of the whole process, Python, CasADi and
@@ -11,10 +12,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from benchmarks.measure import Row, measured
-from benchmarks.models import NETWORKS
+from benchmarks.models import LOOP_CASES, NETWORKS
 
 SIZES = (1_000, 10_000, 100_000)
 QUICK_SIZES = (1_000, 10_000)
+LOOP_SIZES = (1_000, 10_000, 30_000)
+"""Of the networks that are one system of equations."""
 ONCE_FROM = 100_000
 TIME_LIMIT = 300.0
 STAGES = ("parse", "flatten", "causalise", "codegen", "total")
@@ -24,6 +27,8 @@ def rows(*, quick: bool) -> Iterator[Row]:
     """One row per network and size."""
     for model in NETWORKS:
         yield from of_model(model, QUICK_SIZES if quick else SIZES)
+    for model in LOOP_CASES:
+        yield from of_model(model, QUICK_SIZES if quick else LOOP_SIZES)
 
 
 def of_model(model: str, sizes: Sequence[int]) -> Iterator[Row]:
