@@ -33,7 +33,7 @@ def test_json(call: Call, sweep: Path) -> None:
     first, second = shifts
     assert (first["from_gear"], first["to_gear"], first["oncoming"], first["offgoing"]) == (1, 2, "C1", "B2")
     assert first["torque_hole"] == pytest.approx(-200, rel=1e-3)
-    assert first["inertia_phase"] == pytest.approx(0.48, abs=1e-3)
+    assert first["inertia_phase"] == pytest.approx(0.5, abs=1e-3)
     assert (second["oncoming"], second["torque_hole"]) == ("B2", 0)
     means = done.below("averages")
     assert means["torque_hole"] == pytest.approx(-100, rel=1e-3)

@@ -85,10 +85,9 @@ def test_upshift() -> None:
     assert found.torque_hole == pytest.approx(-200)
     assert found.recovery_overshoot == pytest.approx(20)
     reached = 0.5 + 0.4 * 200 / 240
-    assert found.settling_time == pytest.approx(1.2 - 0.1 * 8 / 50 - reached, abs=1e-6)
-    declined = 0.2 + 0.2 * 8 / 300
-    assert found.torque_phase == pytest.approx(0.2 + 0.2 * 147 / 150 - declined, abs=2e-3)
-    assert found.inertia_phase == pytest.approx((0.9 - 0.4 * 0.02) - (0.5 + 0.4 * 0.02), abs=1e-6)
+    assert found.settling_time == pytest.approx(1.2 - 0.1 * 6 / 50 - reached, abs=1e-6)
+    assert found.torque_phase == pytest.approx(0.2, abs=1e-6)
+    assert found.inertia_phase == pytest.approx(0.4, abs=1e-6)
     assert found.peak_to_peak_derivative == pytest.approx(600 + 1500, rel=1e-9)
 
 
@@ -123,8 +122,7 @@ def test_the_torque_phase_ends_when_the_offgoing_element_lets_go_for_good() -> N
     plain = shift(line(*HOLE), SLIPS, TORQUES, 0.1, 2.0).torque_phase
     longer = shift(line(*HOLE), SLIPS, tied, 0.1, 2.0).torque_phase
     assert plain is not None
-    # 0.45 s instead of 0.4 s, each less 2 % of 150 on a slope
-    assert longer == pytest.approx(plain + 0.05 + 0.004 - 0.0075, abs=2e-3)
+    assert longer == pytest.approx(plain + 0.05, abs=2e-3)  # 0.45 s instead of 0.4 s
 
 
 def test_an_oscillating_torque_hides_nothing() -> None:
@@ -135,6 +133,7 @@ def test_an_oscillating_torque_hides_nothing() -> None:
     assert rough.torque_hole == pytest.approx(plain.torque_hole, abs=15)
     assert rough.final_torque == pytest.approx(plain.final_torque, abs=1)
     assert rough.inertia_phase == plain.inertia_phase
+    assert rough.peak_to_peak_derivative > plain.peak_to_peak_derivative
 
 
 def test_a_torque_that_never_settles_has_no_settling_time() -> None:

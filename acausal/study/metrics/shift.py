@@ -2,7 +2,7 @@
 
 T_init and T_f are the means of the output torque before the shift and at its end. Extremes are those of the
 stored signal; only the start of its decline is looked for in a smoothed one, so that an oscillating torque
-does not hide it.
+does not hide it. Phases begin and end where the straight lines through what is 2 % and 4 % off would.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ _SMOOTHING = 0.03
 _BEFORE = 0.1
 _END = 0.1
 _STANDSTILL = 1.0
+_STRAIGHT = 0.05
+"""Seconds over which a signal is continued as a straight line at most."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Shift:
     recovery_overshoot: float | None
     """100 (T_os - T_f) / (T_f - T_min); None without hole, 0 where T stays below T_f after the hole."""
     settling_time: float | None
-    """From the first T = T_f after the hole (else from the start) to T within 2 % of max(|T_f|, |T_init|)."""
+    """From the first T = T_f after the hole, else the start, to T within 2 % of |T_f|, or |T_init| / 10."""
     torque_phase: float | None
     """From the first decline of T to the offgoing element's torque being zero."""
     inertia_phase: float | None
@@ -76,7 +78,7 @@ def shift(
     hole = deepest - final if deepest < min(initial, final) - BAND * size else 0.0
     after = window.between(float(window.time[lowest]), end) if hole else window
     begun = first_crossing(after, final, rising=True) if hole else start
-    settled = settled_since(window, final, BAND * size) if size else start
+    settled = settled_since(window, final, BAND * max(abs(final), 0.1 * size)) if size else start
     if settled is not None and settled > end - _END * (end - start):
         settled = None  # inside the band by chance, at the end of a swing
     oncoming, offgoing = _oncoming(torques, slips, start, end), _offgoing(torques, slips, start, end)
@@ -103,12 +105,18 @@ def _torque_phase(torque: Trace, offgoing: Trace, initial: float, size: float) -
     level = initial - BAND * size
     about = first_crossing(calm, level, rising=False)
     # For good: where both elements hold for a while, the torque may pass zero and turn round
-    over = settled_since(offgoing, 0.0, BAND * float(offgoing.magnitude.values.max()))
+    carried = float(offgoing.magnitude.values.max())
+    over = settled_since(offgoing, 0.0, BAND * carried)
     if about is None or over is None:
         return None
     sharp = first_crossing(torque, level, rising=False, after=about - _SMOOTHING / 2)
-    declined = about if sharp is None or sharp > about + _SMOOTHING / 2 else sharp
-    return over - declined if over >= declined else None
+    seen, begun = (calm, about) if sharp is None or sharp > about + _SMOOTHING / 2 else (torque, sharp)
+    before = torque.between(float(torque.time[0]), begun)
+    swings = float(before.values.max()) > initial + BAND * size / 2
+    below = first_crossing(seen, level - BAND * size, rising=False, after=begun)
+    declined = max(_reached(None if swings else below, begun), float(torque.time[0]))
+    ended = min(_reached(settled_since(offgoing, 0.0, 2 * BAND * carried), over), float(torque.time[-1]))
+    return ended - declined if ended >= declined else None
 
 
 def _inertia_phase(slip: Trace) -> float | None:
@@ -118,7 +126,17 @@ def _inertia_phase(slip: Trace) -> float | None:
     if over is None:
         return None
     begun = last_crossing(size, (1 - BAND) * largest, rising=False, before=over)
-    return None if begun is None else over - begun
+    if begun is None:
+        return None
+    falling = first_crossing(size, (1 - 2 * BAND) * largest, rising=False, after=begun)
+    fallen = last_crossing(size, 2 * BAND * largest, rising=False, before=over)
+    first = max(_reached(falling, begun), float(slip.time[0]))
+    return min(_reached(fallen, over), float(slip.time[-1])) - first
+
+
+def _reached(twice: float | None, once: float) -> float:
+    """Where the line through the instants at which a signal is two bands and one off is not off at all."""
+    return once if twice is None else once + max(-_STRAIGHT, min(_STRAIGHT, once - twice))
 
 
 def _oncoming(

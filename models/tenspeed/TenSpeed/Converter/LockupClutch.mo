@@ -10,7 +10,8 @@ model LockupClutch "Friction clutch between impeller and turbine that sticks as 
   parameter Mechanics.Units.RotationalSpringConstant c(min = 1e-6) = 2e4
     "Stiffness of the sticking clutch; chosen: plate and the torsional damper behind it";
   parameter Mechanics.Units.RotationalDampingConstant d = 15 "Damping of the sticking clutch; chosen: decays in few cycles";
-  parameter Mechanics.Units.AngularVelocity w_small(min = 0) = 1e-4 "Slip that counts as rest; chosen: far below any other";
+  parameter Mechanics.Units.AngularVelocity w_small(min = 0) = 0.01
+    "Slip that counts as rest; chosen: far below any other, far above a solver's errors of fast shafts";
   final parameter Mechanics.Units.Length leverArm = (1.01 - N_f/100)*N_f/3*(d_o^3 - d_i^3)/(d_o^2 - d_i^2)
     "Torque over friction coefficient and normal force";
   Shaft impeller "Impeller";

@@ -2,8 +2,6 @@ within TenSpeed.Interfaces;
 partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to tenth, down to first, and back"
   parameter Mechanics.Units.Torque tau_in = 150 "Input torque while it drives";
   parameter Hydraulics.Units.AbsolutePressure p_on = 12e5 "Pressure of an engaged element; chosen: line pressure at high load";
-  parameter Hydraulics.Units.AbsolutePressure p_coast = 6e5
-    "The same after 25 s, without input torque; chosen: line pressure follows the load";
   parameter Hydraulics.Units.AbsolutePressure p_off = 1.6e5
     "Pressure of an open element; chosen: the largest piston does not move yet, so that all fill soon";
   parameter Mechanics.Units.Time duration = 0.5 "Duration of each pressure ramp";
@@ -26,8 +24,7 @@ partial model GearboxBench "Shift sweep of 50 s: reverse, park, neutral, up to t
   Mechanics.Rotational.Components.Fixed case "Case";
   Signals.Sources.SmoothSchedule pressure(
     times = times,
-    values = {{if not engaged[row[j], k] then p_off elseif j > 13 and j < 25 then p_coast else p_on for j in 1:25}
-      for k in 1:6},
+    values = {{if engaged[row[j], k] then p_on else p_off for j in 1:25} for k in 1:6},
     duration = duration,
     slack = {if j > 3 and j < 13 then slack else 1 for j in 1:24}) "Schedule of C1, C2, C3, B1, B2, B3";
   Signals.Sources.SmoothSteps torque(times = {2, 6, 25, 47}, values = {tau_in, 0, tau_in, 0, 0}) "Schedule of the input";
@@ -88,6 +85,6 @@ equation
 input torque off and brake on at 25 s, a downshift every 2 s from 26 s to first at 42 s; neutral at 44 s, park at
 46 s, reverse at 48 s. Pressures of oncoming and offgoing elements ramp at the same time, without feedback. In an upshift
 both are low half-way: plates hold about twice the load at full pressure, and would tie up the gearbox otherwise.
-In a downshift, without input torque, they overlap as they will, at half of the pressure.</p>
+Downshifts are those of a coasting vehicle: nothing drives that could run away, and pressures cross half-way.</p>
 </html>"));
 end GearboxBench;

@@ -7,7 +7,8 @@ model ElasticClutch "Friction clutch that sticks as a spring and damper up to it
   parameter Units.RotationalSpringConstant c(min = 1e-6) = c_thickness*thickness "Stiffness of the sticking plates";
   parameter Units.RotationalDampingConstant d = 100
     "Damping of the sticking plates; chosen: loss factor 0.4 at the 30 Hz of a driveline, as of paper soaked with oil";
-  parameter Units.AngularVelocity w_small(min = 0) = 1e-4 "Slip that counts as rest; chosen: far below any shift's";
+  parameter Units.AngularVelocity w_small(min = 0) = 0.01
+    "Slip that counts as rest; chosen: far below any shift's, far above a solver's errors of fast shafts";
   Boolean stuck(start = true, fixed = true) "Whether the plates stick";
   discrete Units.Angle phi_lock(start = 0, fixed = true) "Relative angle at which the sticking plates carry no torque";
   Units.Angle windUp "Elastic angle of the plates, at most capacity/c";
