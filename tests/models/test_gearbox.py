@@ -104,6 +104,7 @@ def test_energy_of_individual_planets_is_accounted_for() -> None:
     assert np.abs(run.values("account.error")).max() < 1e-4
 
 
+@pytest.mark.slow
 def test_plates_that_let_go_hardly_slipping_do_not_chatter() -> None:
     """C2 in the shift to seventh: its slip is below what CVODE's errors are on shafts of 300 rad/s."""
     run = energy_bench(4).simulate(stop_time=18.4, solver="cvode", interval=1e-2)
