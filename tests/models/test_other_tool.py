@@ -1,8 +1,8 @@
-"""The mechanics library in another Modelica tool, unmodified: rumoca loads and runs the examples, and agrees.
+"""The mechanics library in another Modelica tool, unmodified: rumoca runs the examples, and agrees.
 
-Left out are examples whose motion is prescribed, which take index reduction that rumoca 0.10 has not, and those
-with parameters that an initial equation determines. rumoca does not follow `uses`: each text imports something of
-the other library.
+Left out are examples whose motion is prescribed, which take index reduction that rumoca 0.10 has not, and
+those with parameters that an initial equation determines. rumoca does not follow `uses`: each text imports
+something of the other library.
 """
 
 from __future__ import annotations
