@@ -16,14 +16,14 @@ enum { MOST = 500, HALVINGS = 40, ESCAPES = 4, STARTS = 9 };
 
 typedef struct {
     double *z, *r, *j, *columns, *rows;
-} ac_place;
+} ac_spot;
 
 typedef struct {
     ac_run *run;
     const ac_segment *s;
     int n;
     const double *nominal;
-    ac_place now, trial;
+    ac_spot now, trial;
     double *matrix, *right, *step, *size, *work;
 } ac_search_of;
 
@@ -38,7 +38,7 @@ static double norm(const double *v, const double *rows, int n)
 }
 
 /* Residual, matrix and scales at `p->z`; 0 where something is not finite. */
-static int at(const ac_search_of *f, const ac_place *p)
+static int at(const ac_search_of *f, const ac_spot *p)
 {
     int n = f->n;
     if (!ac_residual(f->run, f->s, p->z, p->r, p->j)) {
@@ -144,7 +144,7 @@ static void direction(ac_search_of *f)
 
 static void exchange(ac_search_of *f)
 {
-    ac_place other = f->now;
+    ac_spot other = f->now;
     f->now = f->trial;
     f->trial = other;
 }
@@ -236,7 +236,7 @@ int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal)
     f.s = s;
     f.n = n;
     f.nominal = nominal;
-    ac_place *const places[2] = {&f.now, &f.trial};
+    ac_spot *const places[2] = {&f.now, &f.trial};
     for (int k = 0; k < 2; k++) {
         places[k]->z = take(&from, n);
         places[k]->r = take(&from, n);
