@@ -73,6 +73,14 @@ def _root(args: list[SX]) -> SX:
     return SX.unary(ca.OP_SQRT, x)
 
 
+def _power(args: list[SX]) -> SX:
+    """The fourth root, as that of a pressure difference, is two square roots, which cost less than `pow`."""
+    base, exponent = args
+    if exponent.is_constant() and float(exponent) == 0.25:
+        return SX.unary(ca.OP_SQRT, SX.unary(ca.OP_SQRT, base))
+    return SX.binary(ca.OP_POW, base, exponent)
+
+
 def _log10(args: list[SX]) -> SX:
     return ca.log10(args[0])
 
@@ -105,7 +113,7 @@ CONSTRUCTORS: dict[str, _Build] = {
     "mul": _chain(ca.OP_MUL),
     "neg": _unary(ca.OP_NEG),
     "div": _binary(ca.OP_DIV),
-    "pow": _binary(ca.OP_POW),
+    "pow": _power,
     "if": _select,
     "and": _chain(ca.OP_AND),
     "or": _chain(ca.OP_OR),

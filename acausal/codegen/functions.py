@@ -48,6 +48,7 @@ from acausal.symbolic.expressions.expr import (
     sub,
     sym,
 )
+from acausal.symbolic.expressions.text import to_text
 
 _FLOOR = 1e-3
 MOST_JUDGED = 100
@@ -162,6 +163,11 @@ class Code:
     def output_leaves(self) -> tuple[Expr, ...]:
         """States, inputs, every unknown of the blocks, discrete variables: what `outputs` returns."""
         return output_leaves(self.system)
+
+    @cached_property
+    def output_names(self) -> tuple[str, ...]:
+        """The names of `output_leaves`."""
+        return tuple(to_text(leaf) for leaf in self.output_leaves)
 
     @cached_property
     def relations(self) -> tuple[Expr, ...]:

@@ -38,6 +38,7 @@ class Recorder:
         self._evaluator = evaluator
         self._rows = Rows(len(evaluator.code.output_leaves), expected)
         self._violated: dict[Assertion, Diagnostic] = {}
+        self._names = evaluator.code.output_names
         self.leaves = evaluator.code.output_leaves
         """What the columns of `data` are."""
         self._order: NDArray[np.int_] | None = None
@@ -61,7 +62,7 @@ class Recorder:
     def last(self) -> tuple[float, dict[str, float]]:
         """The time and the values of the last row."""
         values = self._rows.data[-1].tolist()
-        return self.last_time, dict(zip(map(to_text, self.leaves), values, strict=True))
+        return self.last_time, dict(zip(self._names, values, strict=True))
 
     @property
     def last_time(self) -> float:

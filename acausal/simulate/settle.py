@@ -96,9 +96,35 @@ class Settling:
     def settle(self, time: float, x: Vector, crossed: NDArray[np.int_] | None = None) -> Vector:
         """Iterates to a fixed point at this instant; the states after it.
 
-        `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Raises
+        `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Where modes
+        go round in circles, what else is zero and about to cross at this very instant has crossed, too. Raises
         `SimulationProblem` (`simulate.mode-cycle`, `simulate.event-iteration`) where nothing settles.
         """
+        evaluator = self.evaluator
+        before = evaluator.m.copy(), evaluator.d.copy(), evaluator.guess.copy()
+        try:
+            return self._settle(time, x, crossed)
+        except SimulationProblem as problem:
+            evaluator.m[:], evaluator.d[:], evaluator.guess[:] = before
+            if "simulate.mode-cycle" not in problem.codes or not evaluator.d.size:
+                raise
+            more = self._crossing(time, x, np.zeros(len(self._ops), np.int_) if crossed is None else crossed)
+            if more is None:
+                raise
+            return self._settle(time, x, more)
+
+    def _crossing(self, time: float, x: Vector, crossed: NDArray[np.int_]) -> NDArray[np.int_] | None:
+        """`crossed` with what is zero at this instant and crosses next; None if there is no more."""
+        evaluator = self.evaluator
+        evaluator.at(time, x)
+        evaluator.settle()
+        instant = Instant(time, x.copy(), self._ahead, self._none, self._instant.roots)
+        wanted, near = wanted_modes(evaluator, self._ops, instant)
+        more = near & (wanted != evaluator.m) & (crossed == 0)
+        rising = np.array([op in ("gt", "ge") for op in self._ops], bool) == (wanted != 0.0)
+        return np.where(more, np.where(rising, 1, -1), crossed) if more.any() else None
+
+    def _settle(self, time: float, x: Vector, crossed: NDArray[np.int_] | None) -> Vector:
         evaluator = self.evaluator
         self.fired[:] = 0.0
         evaluator.at(time, x)
