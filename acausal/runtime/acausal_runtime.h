@@ -70,6 +70,7 @@ typedef struct {
     double *row;               /* outputs */
     double *ok;                /* conditions, 1.0 where they hold */
     ac_function ode, jac, derivative, events, scales, output, assertions;
+    ac_function timed, timed_slopes; /* what of them depends on the time alone, and what of the slopes; or nothing */
     double *u;                 /* inputs, where there are tables */
     ac_table *tables;          /* those given by samples */
     int table_count;
@@ -83,6 +84,7 @@ typedef struct {
     int free_roots;            /* `events` does not read `z` */
     int settled;               /* the blocks are solved at (t, x): cleared where anything else changes */
     ac_long evaluations, jacobians;
+    double timed_at;           /* the time that `timed` was evaluated for */
 } ac_model;
 
 /* L U = P W Q by columns; the order of the columns is given, that of the rows is found. */

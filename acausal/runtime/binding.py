@@ -55,6 +55,10 @@ class TableStructure(Structure):
     _fields_ = [*typed("position count at", c_int), *pointers("times values")]
 
 
+FUNCTIONS = ("ode", "jac", "derivative", "events", "scales", "output", "assertions", "timed", "timed_slopes")
+"""Those of a model, in order."""
+
+
 class ModelStructure(Structure):
     """`ac_model`."""
 
@@ -82,6 +86,9 @@ class ModelStructure(Structure):
     scales: FunctionStructure
     output: FunctionStructure
     assertions: FunctionStructure
+    timed: FunctionStructure
+    timed_slopes: FunctionStructure
+    timed_at: float
     u: int
     tables: int
     table_count: int
@@ -96,12 +103,13 @@ class ModelStructure(Structure):
     _fields_ = [
         *typed("states crossings guesses outputs conditions entries", c_int),
         *pointers("t x guess z xdot jacobian rate roots sizes row ok"),
-        *((n, FunctionStructure) for n in "ode jac derivative events scales output assertions".split()),
+        *((n, FunctionStructure) for n in FUNCTIONS),
         *pointers("u tables"),
         *typed("table_count", c_int),
         *pointers("fill rescue owner"),
         *typed("autonomous exact_rate takes_solution unchecked free_roots settled", c_int),
         *typed("evaluations jacobians", c_longlong),
+        *typed("timed_at", c_double),
     ]
 
 

@@ -72,6 +72,15 @@ static void fill(ac_model *m, double t)
     }
 }
 
+/* What depends on the time alone is known for the point that is placed. */
+static void clocked(ac_model *m)
+{
+    if ((m->timed.entry != NULL || m->timed.machine != NULL) && m->timed_at != m->t[0]) {
+        m->timed_at = m->t[0];
+        (void)ac_call(&m->timed);
+    }
+}
+
 void ac_place(ac_model *m, double t, const double *x)
 {
     if (m->settled && m->t[0] == t && (m->states == 0 || memcmp(m->x, x, bytes(m->states)) == 0)) {
@@ -106,6 +115,7 @@ int ac_blocks(ac_model *m)
         return 0;
     }
     m->evaluations++;
+    clocked(m);
     if (m->states > 0) {
         m->xdot[0] = NAN;
     }
@@ -130,6 +140,7 @@ static int direct(ac_model *m, double t, const double *x, double *f)
     m->t[0] = t;
     fill(m, t);
     m->evaluations++;
+    clocked(m);
     m->ode.arg[1] = x;
     m->ode.res[0] = f;
     int code = m->ode.entry(m->ode.arg, m->ode.res, m->ode.iw, m->ode.w, 0);
@@ -165,6 +176,8 @@ int ac_matrix(ac_model *m, double t, const double *x)
     if (m->takes_solution && m->guesses > 0 && ac_blocks(m) != 0) {
         return AC_NOT_FINITE;
     }
+    clocked(m);
+    (void)ac_call(&m->timed_slopes);
     m->jacobian[0] = NAN;
     if (ac_call(&m->jac) == 0 && ac_finite(m->jacobian, m->entries)) {
         return 0;
@@ -222,6 +235,7 @@ int ac_row(ac_model *m, double t, const double *x, double *row)
     int fine = m->guesses > 0 ? ac_blocks(m) == 0 : 1;
     if (m->outputs > 0) {
         m->row[0] = NAN;
+        clocked(m);
         fine = ac_call(&m->output) == 0 && fine && ac_finite(m->row, m->outputs);
         memcpy(row, m->row, bytes(m->outputs));
     }

@@ -27,9 +27,11 @@ from numpy.typing import NDArray
 from acausal.codegen.c_text import c_text, event_functions, run_functions
 from acausal.codegen.functions import Code
 from acausal.codegen.kernels import is_evaluated_in_python
+from acausal.codegen.staged import STAGES, staged
 from acausal.errors import UnsupportedProblem
 from acausal.runtime import build
 from acausal.runtime.binding import FunctionStructure
+from acausal.simulate.call import call
 from acausal.simulate.matrices import Vector
 
 WORTH = 4_000
@@ -50,12 +52,22 @@ class Machine:
     """The functions of one `Code`, and its compiled library if there is one."""
 
     def __init__(self, code: Code) -> None:
-        self.functions = run_functions(code)
+        self.staged = staged(run_functions(code))
+        self.functions = self.staged.functions
+        """What an integrator calls, by the run-time's names."""
         everything = {**self.functions, **event_functions(code)}
         self._all = {name: f for name, f in everything.items() if not is_evaluated_in_python(f)}
         self._sources: build.Sources | None = None
         self._begun = False
         self.library: ctypes.CDLL | None = None
+
+    def stages(self, p: Vector) -> dict[str, Vector]:
+        """What functions share, by name: what depends on parameters alone, and room for what time changes."""
+        held, functions = self.staged.held, self.functions
+        if held is None:
+            return {}
+        room = {name: np.zeros(functions[name].nnz_out(0) if name in functions else 0) for name in STAGES}
+        return {**room, "held": call(held, p)[0].ravel()}
 
     @property
     def sources(self) -> build.Sources:

@@ -77,6 +77,7 @@ class NativeSolver:
         self._convergence_failures = np.zeros(max(1, evaluator.x.size), dtype=np.int64)
         step = tolerances.max_step if method == "rodas" else tolerances.step
         self._machine.take(compiled, step and tolerances.span / step, _EVALUATIONS[method])
+        self._stages = self._machine.stages(evaluator.p)
         self._bind()
         self._set_up(METHODS[method])
         self._longest, self._left = 0.0, 0.0
@@ -114,6 +115,7 @@ class NativeSolver:
         self._arrays["guess"] = evaluator.guess
         for name, array in self._arrays.items():
             setattr(model, name, memory.array(array))
+        model.timed_at = np.nan
         self._bind_inputs()
         functions = self._machine.functions
         slopes, quick = functions.get("jac"), code.quick
@@ -159,6 +161,7 @@ class NativeSolver:
             "scales": [arrays["sizes"]],
             "output": [arrays["row"]],
             "assertions": [arrays["ok"]],
+            **{name: [array] for name, array in self._stages.items()},
         }
         for name, function in self._machine.functions.items():
             solves = name in ("ode", "derivative") or (name == "jac" and not self._model.takes_solution)
@@ -171,7 +174,13 @@ class NativeSolver:
     def _known(self, tearing: str) -> dict[str, Vector]:
         """The Functions' inputs by name; `tearing` says which array is `z`."""
         arrays = self._arrays
-        return {**self._evaluator.groups, "t": arrays["t"], "x": arrays["x"], "z": arrays[tearing]}
+        return {
+            **self._evaluator.groups,
+            **self._stages,
+            "t": arrays["t"],
+            "x": arrays["x"],
+            "z": arrays[tearing],
+        }
 
     def _rescue(self, owner: int | None, what: int) -> int:
         """Derivatives (0) or slopes (1) at the model's point by the functions that are slow and robust."""

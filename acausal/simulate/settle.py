@@ -96,9 +96,9 @@ class Settling:
     def settle(self, time: float, x: Vector, crossed: NDArray[np.int_] | None = None) -> Vector:
         """Iterates to a fixed point at this instant; the states after it.
 
-        `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Where modes
-        go round in circles, what else is zero and about to cross at this very instant has crossed, too. Raises
-        `SimulationProblem` (`simulate.mode-cycle`, `simulate.event-iteration`) where nothing settles.
+        `crossed` marks the roots that brought the solver here: zero, whatever rounding left of them. Where
+        modes go round in circles, what else is zero and about to cross at this instant has crossed, too.
+        Raises `SimulationProblem` (`simulate.mode-cycle`, `simulate.event-iteration`) where nothing settles.
         """
         evaluator = self.evaluator
         before = evaluator.m.copy(), evaluator.d.copy(), evaluator.guess.copy()
