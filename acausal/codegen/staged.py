@@ -2,8 +2,8 @@
 
 Ramps of a schedule, masses and areas from parameters: at level 4 of the gearbox more than half of the
 operations of the derivatives. `held` is computed once in a run, `timed` when the time is another one,
-whichever function asks: a step evaluates most of them at its end. What the slopes alone need is separate, as they are
-evaluated less often. The operations are those of the functions as they were, and so are the results.
+whichever function asks: a step evaluates most of them at its end. What the slopes alone need is separate, as
+they are evaluated less often. The operations are those of the functions as they were, and so are the results.
 """
 
 from __future__ import annotations
