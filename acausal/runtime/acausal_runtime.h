@@ -182,7 +182,7 @@ double ac_clock(void);
 /* Inside the run-time. */
 int ac_call(const ac_function *f);
 int ac_finite(const double *v, int n);
-void ac_place(ac_model *m, double t, const double *x);
+void ac_model_at(ac_model *m, double t, const double *x);
 int ac_blocks(ac_model *m);
 int ac_slope(ac_model *m, double t, const double *x, double *f);
 int ac_matrix(ac_model *m, double t, const double *x);

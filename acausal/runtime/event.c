@@ -74,7 +74,7 @@ void ac_event_at(ac_event *e, double time, const double *x)
         return;
     }
     m->settled = 0;
-    ac_place(m, time, x);
+    ac_model_at(m, time, x);
 }
 
 /* Derivatives and solutions of blocks at the present point; 1 where all are finite. What was found is the next

@@ -81,7 +81,7 @@ static void clocked(ac_model *m)
     }
 }
 
-void ac_place(ac_model *m, double t, const double *x)
+void ac_model_at(ac_model *m, double t, const double *x)
 {
     if (m->settled && m->t[0] == t && (m->states == 0 || memcmp(m->x, x, bytes(m->states)) == 0)) {
         return;
@@ -101,7 +101,7 @@ void ac_known(ac_model *m, double t, const double *x, const double *f, const dou
         return;
     }
     m->settled = 0;
-    ac_place(m, t, x);
+    ac_model_at(m, t, x);
     memcpy(m->xdot, f, bytes(m->states));
     memcpy(m->z, z, bytes(m->guesses));
     memcpy(m->guess, z, bytes(m->guesses));
@@ -158,7 +158,7 @@ int ac_slope(ac_model *m, double t, const double *x, double *f)
     if (m->ode.entry != NULL && m->guesses == 0 && m->states > 0) {
         return direct(m, t, x, f);
     }
-    ac_place(m, t, x);
+    ac_model_at(m, t, x);
     int code = ac_blocks(m);
     if (code == 0 && m->states > 0) {
         memcpy(f, m->xdot, bytes(m->states));
@@ -168,7 +168,7 @@ int ac_slope(ac_model *m, double t, const double *x, double *f)
 
 int ac_matrix(ac_model *m, double t, const double *x)
 {
-    ac_place(m, t, x);
+    ac_model_at(m, t, x);
     m->jacobians++;
     if (m->entries == 0) {
         return 0;
@@ -194,7 +194,7 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
     }
     if (m->exact_rate) {
         if (m->exact_rate == 1) {
-            ac_place(m, t, x);
+            ac_model_at(m, t, x);
             m->rate[0] = NAN;
             if (ac_call(&m->derivative) != 0) {
                 return AC_NOT_FINITE;
@@ -219,7 +219,7 @@ int ac_rate(ac_model *m, double t, const double *x, const double *f, double span
 
 int ac_roots(ac_model *m, double t, const double *x, double *g)
 {
-    ac_place(m, t, x);
+    ac_model_at(m, t, x);
     if (m->guesses > 0 && !m->free_roots && ac_blocks(m) != 0) {
         return AC_NOT_FINITE;
     }
@@ -231,7 +231,7 @@ int ac_roots(ac_model *m, double t, const double *x, double *g)
 
 int ac_row(ac_model *m, double t, const double *x, double *row)
 {
-    ac_place(m, t, x);
+    ac_model_at(m, t, x);
     int fine = m->guesses > 0 ? ac_blocks(m) == 0 : 1;
     if (m->outputs > 0) {
         m->row[0] = NAN;
