@@ -39,8 +39,7 @@ writes.
 
 Known reasons: `ImpureGenerator` draws from a hidden state, and its sequence is the tool's own. The references
 of 4.0.0 for two examples with noise come from other seeds (of instance names); the same models agree with
-those of 4.1.0. The two examples with an FFT take too long to compile: each amplitude is an expression in all
-samples.
+those of 4.1.0.
 """
 
 
