@@ -20,8 +20,10 @@ protected
   discrete Mechanics.Units.Time t_left(start = -1e60, fixed = true) "When a branch was left last";
   Integer returns(start = 0, fixed = true) "How often the other branch was left in the same instant";
   Hydraulics.Units.VolumeFlowRate least "Left end of the lower branch's interval";
-  Hydraulics.Units.VolumeFlowRate left[bisections + 1] "Left end of the interval";
-  Hydraulics.Units.VolumeFlowRate right[bisections + 1] "Right end of the interval";
+  Hydraulics.Units.VolumeFlowRate left "Left end of the interval with one stable solution";
+  Hydraulics.Units.VolumeFlowRate right "Right end of this interval";
+  Hydraulics.Units.VolumeFlowRate middle[bisections + 1] "Middle of what is left of it after each bisection";
+  Hydraulics.Units.VolumeFlowRate half "Half the length of what is left at the end";
   Hydraulics.Units.VolumeFlowRate Q_i[corrections + 1] "Flow before each Newton step";
   Hydraulics.Units.VolumeFlowRate h "Half the distance of the difference that gives the slope";
 equation
@@ -43,18 +45,19 @@ equation
     + " acausal.study.converter.steady_state computes it");
   // Bisection of an interval with one stable solution; beyond its branch's end Q stays at the interval's
   least = noEvent(if Functions.balance(-geometry.Q_0, w_p, w_t, geometry) > 0 then -geometry.Q_0 else -Q_max);
-  left[1] = if pre(high) then noEvent(if p_m > p_0 then Q_m else geometry.Q_0) else least;
-  right[1] = if pre(high) then Q_max else geometry.Q_0;
+  left = if pre(high) then noEvent(if p_m > p_0 then Q_m else geometry.Q_0) else least;
+  right = if pre(high) then Q_max else geometry.Q_0;
+  middle[1] = (left + right)/2;
   for i in 1:bisections loop
-    left[i + 1] = noEvent(
-      if Functions.balance((left[i] + right[i])/2, w_p, w_t, geometry) > 0 then (left[i] + right[i])/2 else left[i]);
-    right[i + 1] = left[i + 1] + (right[i] - left[i])/2;
+    middle[i + 1] = middle[i] + noEvent(
+      if Functions.balance(middle[i], w_p, w_t, geometry) > 0 then right - left else left - right)/2^(i + 1);
   end for;
+  half = (right - left)/2^(bisections + 1);
   // Newton's method
   h = 1e-7*Q_max;
-  Q_i[1] = (left[bisections + 1] + right[bisections + 1])/2;
+  Q_i[1] = middle[bisections + 1];
   for i in 1:corrections loop
-    Q_i[i + 1] = noEvent(max(left[bisections + 1], min(right[bisections + 1],
+    Q_i[i + 1] = noEvent(max(Q_i[1] - half, min(Q_i[1] + half,
       Q_i[i] - Functions.balance(Q_i[i], w_p, w_t, geometry)*2*h/min(-p_small,
         Functions.balance(Q_i[i] + h, w_p, w_t, geometry)
         - Functions.balance(Q_i[i] - h, w_p, w_t, geometry)))));
