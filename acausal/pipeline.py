@@ -103,6 +103,7 @@ def compile_model(
 
         with at_users_lines(flat):
             causal = clock.run("causalise", lambda: causalise(flat, outputs))
+        warnings = (*warnings, *[w for w in causal.flat.warnings if w not in flat.warnings])
         if stop_after == "causal":
             return Compilation(node, instance, flat, causal, warnings=warnings, seconds=clock.seconds)
         from acausal.codegen.functions import generate  # late: without code there is no need for CasADi

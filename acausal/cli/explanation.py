@@ -31,9 +31,8 @@ def run_explain(target: Target, wish: Wish, *, as_json: bool) -> None:
     check(wish)
     try:
         compilation = target.run("code" if wish.initial else "causal")
-    except AcausalError:
-        if not as_json:
-            _show_singular(target, wish)
+    except AcausalError as error:
+        _show_singular(target, wish, error, as_json=as_json)
         raise
     explanation = explain(compilation)
     if wish.initial and compilation.code is not None:
@@ -51,7 +50,7 @@ def run_explain(target: Target, wish: Wish, *, as_json: bool) -> None:
         print_json(text)
 
 
-def _show_singular(target: Target, wish: Wish) -> None:
+def _show_singular(target: Target, wish: Wish, error: AcausalError, *, as_json: bool) -> None:
     """Of a model that does not compile, what can be seen of its structure, if that is what is wrong."""
     from acausal.explain.singular import singular_text
 
@@ -60,9 +59,18 @@ def _show_singular(target: Target, wish: Wish) -> None:
     except AcausalError:
         return
     text = singular_text(flat, everything=wish.everything) if flat is not None else ""
-    if text:
+    if flat is None or not text:
+        return
+    if not as_json:
         print_text(text)
         print_text("")
+    if wish.plot is not None or wish.html is not None:
+        from acausal.explain.singular_plot import singular_page, write_singular_plot
+
+        if wish.plot is not None:
+            write_singular_plot(flat, wish.plot)
+        if wish.html is not None:
+            wish.html.write_text(singular_page(flat, str(error)), encoding="utf-8")
 
 
 def _initial(explanation: Explanation, code: Code, *, everything: bool, as_json: bool) -> None:

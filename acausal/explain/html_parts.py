@@ -12,7 +12,8 @@ STYLE = """\
 .acausal {font-size: 13px; line-height: 1.45; max-width: 72em}
 .acausal h3 {margin: 0 0 .1em; font-size: 1.2em}
 .acausal p {margin: 0 0 .6em; opacity: .8}
-.acausal dl {display: flex; flex-wrap: wrap; gap: .3em 2em; margin: .4em 0 .8em}
+.acausal dl {display: flex; flex-wrap: wrap; row-gap: .3em; margin: .4em 0 .8em}
+.acausal dl div {margin-right: 2em}
 .acausal dt {opacity: .7; font-size: .9em; font-weight: normal}
 .acausal dd {margin: 0; font-weight: 600}
 .acausal table {border-collapse: collapse; margin: .3em 0 .8em}
@@ -63,8 +64,11 @@ class Paper:
         return f"<table><thead><tr>{titles}</tr></thead><tbody>\n{body}\n</tbody></table>"
 
     def folded(self, title: str, head: Sequence[str], rows: Iterable[Row], *, is_open: bool = False) -> str:
-        """A table that can be folded away; nothing where there are no rows."""
-        return fold_away(title, self.table(head, rows), is_open=is_open)
+        """A table that can be folded away, with its number of rows; nothing where there are none."""
+        written = list(rows)
+        anchored = sum(bool(row.anchor) for row in written)
+        counted = f"{title} ({anchored or len(written)})"
+        return fold_away(counted, self.table(head, written), is_open=is_open)
 
     def _row(self, row: Row) -> str:
         anchor = f' id="{row.anchor}"' if row.anchor and self.linked else ""

@@ -42,7 +42,7 @@ Pairs = NDArray[np.int64]
 def incidence_svg(explanation: Explanation) -> str:
     """The drawing as an SVG element to stand in a page."""
     buffer = BytesIO()
-    _save(_figure(explanation), buffer, "svg")
+    save_figure(_figure(explanation), buffer, "svg")
     text = buffer.getvalue().decode()
     return text[text.index("<svg") :]
 
@@ -52,10 +52,11 @@ def write_incidence(explanation: Explanation, path: Path) -> None:
     if path.suffix.lower() not in PLOTS:
         hint = f"end the name in {', '.join(PLOTS)}"
         raise fail(UsageProblem, "plot.format", f"cannot write a plot to `{path}`", hint=hint)
-    _save(_figure(explanation), path, path.suffix.lower()[1:])
+    save_figure(_figure(explanation), path, path.suffix.lower()[1:])
 
 
-def _save(figure: Figure, target: Path | BytesIO, kind: str) -> None:
+def save_figure(figure: Figure, target: Path | BytesIO, kind: str) -> None:
+    """Write the drawing as `png`, `svg` or `pdf`, without dates and random identifiers."""
     metadata = {
         "png": {"Software": ""},
         "svg": dict.fromkeys(["Date", "Creator", "Format", "Type"]),
@@ -80,17 +81,17 @@ def _figure(explanation: Explanation) -> Figure:
     )
     rows = [short(equation_text(equation), 10_000) for equation in found.equations] if labelled else []
     columns = list(leaf_texts(found.unknowns)) if labelled else []
-    _panel(before, pairs, size, f"as the model has it: {size} equations")
-    _labels(before, rows, columns)
+    panel(before, pairs, size, f"as the model has it: {size} equations")
+    label_axes(before, rows, columns)
     loops = [n for n in found.sizes if n > 1]
     _blocks(after, found.sizes)
-    _panel(
+    panel(
         after,
         moved,
         size,
         f"as it is solved: {len(found.sizes)} blocks, largest {max(loops, default=min(size, 1))}",
     )
-    _labels(after, _moved(rows, found.row_to), _moved(columns, found.column_to))
+    label_axes(after, _moved(rows, found.row_to), _moved(columns, found.column_to))
     return figure
 
 
@@ -98,7 +99,7 @@ def _moved(labels: Sequence[str], to: Sequence[int]) -> list[str]:
     return [label for _, label in sorted(zip(to, labels, strict=False))]
 
 
-def _panel(axes: Axes, pairs: Pairs, size: int, title: str) -> None:
+def panel(axes: Axes, pairs: Pairs, size: int, title: str) -> None:
     """One matrix: squares if it is small, else an image in which a pixel may stand for several entries."""
     extent = max(size, 1)
     axes.set_title(title, fontsize=10)
@@ -136,7 +137,7 @@ def _blocks(axes: Axes, sizes: Sequence[int]) -> None:
         )
 
 
-def _labels(axes: Axes, rows: Sequence[str], columns: Sequence[str]) -> None:
+def label_axes(axes: Axes, rows: Sequence[str], columns: Sequence[str]) -> None:
     """The texts of equations and unknowns, where there are any."""
     if not rows:
         return

@@ -9,7 +9,7 @@ from acausal.explain.words import counted, short, where
 from acausal.lang.flat import FlatModel
 from acausal.symbolic.balance import flat_structure
 from acausal.symbolic.describe import equation_text, place
-from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose
+from acausal.symbolic.graphs.dulmage_mendelsohn import Decomposition, Part, decompose
 from acausal.symbolic.graphs.matching import maximum_matching
 from acausal.symbolic.structure import Structure
 
@@ -18,8 +18,7 @@ _MOST_ROWS, _MOST_TEXT = 20, 160
 
 def singular_text(flat: FlatModel, *, everything: bool = False) -> str:
     """The counts and the decomposition by Dulmage and Mendelsohn; "" where there is nothing wrong with it."""
-    system = flat_structure(flat)
-    parts = decompose(system.incidence, maximum_matching(system.incidence, len(system.unknowns)))
+    system, parts = decomposed(flat)
     if not parts.over.equations and not parts.under.variables:
         return ""
     title = f"{flat.name}: {flat.description}" if flat.description else flat.name
@@ -32,6 +31,12 @@ def singular_text(flat: FlatModel, *, everything: bool = False) -> str:
     for name, part in (("Too many equations", parts.over), ("Too few equations", parts.under)):
         lines += _part(system, name, part, most)
     return "\n".join(lines)
+
+
+def decomposed(flat: FlatModel) -> tuple[Structure, Decomposition]:
+    """The structure of a flat model and its parts with too many, too few and just enough equations."""
+    system = flat_structure(flat)
+    return system, decompose(system.incidence, maximum_matching(system.incidence, len(system.unknowns)))
 
 
 def _part(system: Structure, title: str, part: Part, most: int | None) -> Iterator[str]:

@@ -14,11 +14,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from acausal.errors import InitializationProblem, fail
+from acausal.errors import Diagnostic, InitializationProblem, fail
 from acausal.lang.flat import Assertion, Equation, FlatModel, Variable
 from acausal.symbolic.alias_search import AliasSearch
 from acausal.symbolic.attributes import (
     Member,
+    contradictions,
     fixed_start,
     merged,
     same_value,
@@ -162,14 +163,16 @@ def _with_merged_attributes(
     """The model with the representatives' new attributes, and `value = start` for fixed constants."""
     changed: dict[str, Variable] = {}
     fixed: list[CausalEquation] = []
+    warnings: list[Diagnostic] = []
     for root in roots:
         members = _members(root, search, flat)
         if search.classes.of(root).pinned is None:
             changed[root] = merged(members, values)
+            warnings += contradictions(members, values)
         else:
             fixed += _fixed_constant(members, search, values)
     variables = tuple(changed.get(v.name, v) for v in flat.variables)
-    return replace(flat, variables=variables, warnings=(*flat.warnings, *values.warnings)), fixed
+    return replace(flat, variables=variables, warnings=(*flat.warnings, *values.warnings, *warnings)), fixed
 
 
 def _members(representative: str, search: AliasSearch, flat: FlatModel) -> list[Member]:

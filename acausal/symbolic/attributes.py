@@ -13,8 +13,9 @@ Rules, for members x = s*r with s = +1 or -1:
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import inf
 
 from acausal.errors import Diagnostic, InitializationProblem, Span
 from acausal.lang.flat import StateSelect, Variable
@@ -147,6 +148,43 @@ def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
         )
 
     return InitializationProblem([diagnostic(a, b), diagnostic(b, a)])
+
+
+def contradictions(members: Sequence[Member], values: ParameterValues) -> Iterator[Diagnostic]:
+    """Warnings about attributes of aliases that do not fit together."""
+    selects = {v.state_select: v for v, _ in reversed(members)}
+    always, never = selects.get(StateSelect.ALWAYS), selects.get(StateSelect.NEVER)
+    if always is not None and never is not None:
+        yield Diagnostic(
+            "alias.state-select",
+            f"`{never.name}` has stateSelect = StateSelect.never, but it is an alias of `{always.name}` "
+            f"({place(always.span)}), which has StateSelect.always: that counts",
+            never.span,
+            (never.name, always.name),
+            "give both the same stateSelect",
+            "warning",
+        )
+    lows, highs = [(-inf, members[0][0])], [(inf, members[0][0])]
+    for variable, sign in members:
+        for bound, own in ((variable.min, lows), (variable.max, highs)):
+            number = None if bound is None else values.number(bound)
+            if number is not None:
+                (own if sign > 0 else highs if own is lows else lows).append((sign * number, variable))
+    (low, lowest), (high, highest) = max(lows, key=_number), min(highs, key=_number)
+    if low > high:
+        yield Diagnostic(
+            "alias.range",
+            f"no value is in the range of `{lowest.name}`, at least {low:g}, and in that of its alias "
+            f"`{highest.name}` ({place(highest.span)}), at most {high:g}",
+            lowest.span,
+            (lowest.name, highest.name),
+            "correct one of `min` and `max`, or the equation that makes them equal",
+            "warning",
+        )
+
+
+def _number(bound: tuple[float, Variable]) -> float:
+    return bound[0]
 
 
 def _bounds(members: Sequence[Member], values: ParameterValues) -> dict[str, Expr | None]:

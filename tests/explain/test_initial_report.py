@@ -7,6 +7,7 @@ import pytest
 import acausal
 from acausal.explain.folding import folded
 from acausal.explain.singular import singular_text
+from acausal.explain.singular_plot import singular_page
 from acausal.explain.start import InitialReport, initial_report
 from acausal.explain.text import explanation_text
 from tests.explain.models import explained
@@ -78,3 +79,7 @@ def test_a_singular_model_shows_its_parts() -> None:
     assert "3 equations in 3 unknowns, 1 equation of which" in text
     assert "Too many equations: 2 equations for 1 unknown\n  `x = 1`" in text
     assert "Too few equations: 0 equations for 1 unknown\n  unknown y" in text
+    page = singular_page(found, "the error <1>")
+    assert "the error &lt;1&gt;" in page
+    assert "<svg" in page
+    assert "Too many equations" in page

@@ -326,3 +326,23 @@ def test_equal_discrete_variables_may_differ_before_the_start() -> None:
     result = acausal.loads(text).compile().simulate(stop_time=1.5)
     values = [[int(result.values(name)[k]) for name in ("a", "b", "k", "alone")] for k in (0, -1)]
     assert values == [[0, 0, 0, 0], [1, 1, 1, 1]]
+
+
+def test_attributes_of_aliases_that_do_not_fit_are_told() -> None:
+    text = """model M
+      Real x(min = 1, stateSelect = StateSelect.always), y(min = 1, stateSelect = StateSelect.never);
+    equation der(x) = 1; x = -y; end M;"""
+    select, bounds = acausal.loads(text).compile().warnings
+    assert select.code == "alias.state-select"
+    assert select.names == ("y", "x")
+    assert bounds.code == "alias.range"
+    assert "at least 1" in bounds.message
+    assert "at most -1" in bounds.message
+    fitting = text.replace("x = -y", "x = y").replace("StateSelect.never", "StateSelect.prefer")
+    assert not acausal.loads(fitting).compile().warnings
+
+
+def test_a_parameter_that_only_its_start_gives_a_value_is_told() -> None:
+    model = acausal.loads("model M parameter Real p(start = 3); Real x = p; end M;")
+    (warning,) = model.compile().warnings
+    assert warning.code == "parameter.start-used"
