@@ -28,16 +28,13 @@ from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import leaf_name
 from acausal.simulate.turns import turns_between
 from acausal.simulate.walk import Walked, walk
+from acausal.simulate.walks import Walks
 from acausal.symbolic.expressions.expr import Expr, der
 
 HYSTERESIS = 1e-10
 """A root that rests and is this small beside both sides of its relation is zero."""
 _CLEAR, _REST = 1e-11, 0.1
 _ROUNDING = 1e-13
-_LONG_WALKS = 5000
-"""So many times a run solves its blocks by homotopy, if need be."""
-_IN_VAIN = 5
-"""After so many failures in a row it no longer does."""
 
 
 class Evaluator:
@@ -62,7 +59,7 @@ class Evaluator:
         self._moving = bool(self.inputs.moving)
         self.settled_z = self.guess.copy()
         """The solution of the blocks at the last event."""
-        self._walks, self._in_vain = 0, 0
+        self.walks = Walks()
         self.jumps = Jumps()
         self._solved: tuple[float, bytes, bytes, bytes] | None = None
         nominal = call(code.nominals, self.p)
@@ -232,9 +229,7 @@ class Evaluator:
         if self.ode() and np.isfinite(self.z).all():
             return True
         self.guess[:] = misled
-        return self._in_vain < _IN_VAIN and self.walk_into(
-            [self.xdot, self.z], float(self.t[0]), self.x.copy()
-        )
+        return self.walks.may_fail and self.walk_into([self.xdot, self.z], float(self.t[0]), self.x.copy())
 
     def settle(self) -> None:
         """Makes sure that the blocks are solved here, with the robust solver if need be.
@@ -272,12 +267,13 @@ class Evaluator:
 
         What a step found that was refused may mislead plain Newton iterations. False if these fail, too.
         """
-        self._walks += 1
+        if not self.walks.begin(time):
+            return False
         inputs = np.concatenate([[time], x, self.p, self.m, self.u, self.d])
         settled = dict(zip(map(leaf_name, self.code.dynamic.guesses), self.settled_z.tolist(), strict=True))
         slots, values = self.code.dynamic.slots, None
         attempts = [(self.guess_of(), True), (settled, True)]
-        if self._walks <= _LONG_WALKS and self._in_vain < _IN_VAIN:
+        if self.walks.may_be_long:
             attempts.append((self.guess_of(), False))
         for guess, local in attempts:
             with suppress(SimulationProblem):
@@ -286,7 +282,7 @@ class Evaluator:
                 values = walked.values
                 self._note_jumps(walked, time)
                 break
-        self._in_vain = self._in_vain + 1 if values is None else 0
+        self.walks.end(found=values is not None)
         if values is None:
             return False
         found[0][:] = values[[slots[der(state)] for state in state_leaves(self.code.system)]]

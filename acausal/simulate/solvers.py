@@ -38,6 +38,7 @@ def make_solver(evaluator: Evaluator, options: Options) -> Solver:
 
     Raises `UnsupportedProblem` where the solver needs a C compiler and there is none.
     """
+    evaluator.walks.span = options.span
     limits = Tolerances(
         options.rtol,
         options.atol * evaluator.x_nominal,

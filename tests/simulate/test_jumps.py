@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 
 import acausal
 from acausal.errors import SimulationProblem
+from acausal.simulate.walks import Walks
 
 OSCILLATOR = """model R "Relaxation: x follows z, which jumps where its curve turns"
   Real x(start = -0.3, fixed = true), z(start = 1.5);
@@ -82,3 +83,21 @@ def test_switches_of_the_model_are_no_jumps() -> None:
       z ^ 3 + z = (if x > 0.5 then 10 else 1); end E;"""
     for solver in ("rodas", "cvode"):
         assert acausal.loads(text).compile().simulate(solver=solver, compiled=False).warnings == ()
+
+
+def test_a_run_that_creeps_along_a_fold_is_stopped() -> None:
+    """So many walks within so little time lead nowhere; jumps far from each other do no harm."""
+    walks = Walks(span=10.0)
+    assert all(walks.begin(1.0 + 0.01 * i) for i in range(1000))
+    assert not all(walks.begin(5.0 + 1e-9 * i) for i in range(1000))
+    assert walks.is_stuck
+    text = """model T Real x(start = 1, fixed = true), z(start = 1), w(start = 1); equation
+      z * z + w * w = 1.5 - time; z - w = 0.1 * x; der(x) = -z; end T;"""
+    compiled = acausal.loads(text).compile()
+    for solver in ("rodas", "cvode", "ida", "heun"):
+        with pytest.raises(SimulationProblem) as caught:
+            compiled.simulate(stop_time=3.0, solver=solver, compiled=False)
+        found = caught.value.diagnostics[0]
+        assert {"z", "w"} <= set(found.names)
+        assert "at time 1." in found.message
+        assert found.span is not None
