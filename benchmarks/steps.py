@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 import acausal
 from acausal.analysis.linearize import snapshots
-from acausal.analysis.stability import step_limit
+from acausal.simulate.stability import step_limit
 from benchmarks.measure import Row
 
 SPAN = 0.4

@@ -17,10 +17,10 @@ from acausal.analysis.equilibrium import split, turning
 from acausal.analysis.linear import Matrices, alias_of, matrices_at
 from acausal.analysis.modes import Complex, Modes
 from acausal.analysis.points import Point
-from acausal.analysis.stability import GROWTH, step_limits
 from acausal.analysis.truth import Growing, Relation
 from acausal.errors import UsageProblem, fail
 from acausal.simulate.names import did_you_mean
+from acausal.simulate.stability import GROWTH, step_limits
 
 if TYPE_CHECKING:
     import control

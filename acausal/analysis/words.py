@@ -7,8 +7,8 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from acausal.analysis.modes import Mode, Modes
-from acausal.analysis.stability import step_limits
 from acausal.simulate.messages import number
+from acausal.simulate.stability import step_limits
 
 if TYPE_CHECKING:
     from acausal.analysis.snapshot import Snapshot

@@ -11,10 +11,10 @@ from acausal.analysis.batch import Variants
 from acausal.analysis.compare import change, pairs
 from acausal.analysis.modes import Mode
 from acausal.analysis.snapshot import Snapshot
-from acausal.analysis.stability import step_limits
 from acausal.analysis.sweep import Locus
 from acausal.analysis.words import value_text, when
 from acausal.cli.output import print_table, print_text
+from acausal.simulate.stability import step_limits
 
 _SHOWN = 40
 

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from contextlib import contextmanager
-from dataclasses import replace
-
 import numpy as np
 
 from acausal.errors import AcausalError, SimulationProblem, fail
@@ -21,10 +17,6 @@ from acausal.symbolic.describe import shown
 from acausal.symbolic.expressions.expr import der, sym
 
 COLLAPSED = -1000
-
-_EXPLICIT = ("euler", "ab2", "heun", "rk3", "dopri5")
-_GROWTH = ("not-finite", "no-solution", "no-convergence", "singular")
-"""How the codes of errors end that states without bound lead to."""
 
 _CAUSES = {
     COLLAPSED: (
@@ -44,23 +36,6 @@ _FIXED_CAUSES = {
 _HINT = "look for a discontinuity that is no event, a wrong nominal value, or a solution that ends"
 _AT_ONCE = 1e-6
 """Of the simulated time."""
-
-
-@contextmanager
-def advising(method: str, step: float) -> Generator[None, None, None]:
-    """Adds to errors inside it, where explicit steps have one length, that the length may be the reason."""
-    try:
-        yield
-    except AcausalError as error:
-        if method not in _EXPLICIT or not error.codes[0].endswith(_GROWTH):
-            raise
-        advice = (
-            f"the step of {step:g} s may exceed the stability limit of {method}: try a shorter step or the "
-            "solver lieuler or rosenbrock; `acausal eigen` prints the limits"
-        )
-        first, *others = error.diagnostics
-        hint = f"{first.hint}; {advice}" if first.hint else advice
-        raise type(error)([replace(first, hint=hint), *others]) from error.__cause__
 
 
 def failure(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,6 +68,11 @@ class Recorder:
     @property
     def last_time(self) -> float:
         return float(self._rows.times[-1])
+
+    def columns(self, names: Sequence[str]) -> Vector:
+        """The values of variables in the rows that are here."""
+        position = {to_text(leaf): i for i, leaf in enumerate(self.leaves)}
+        return self._rows.data[:, [position[name] for name in names]]
 
     def go_on_with(self, evaluator: Evaluator) -> None:
         """Record another choice of states of the same system from now on, in the same columns."""

@@ -15,7 +15,6 @@ from acausal.simulate.costs import Costs, StateCost
 from acausal.simulate.cruise import Cruise
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, check_conditions, crossed_modes, operators
-from acausal.simulate.failures import advising
 from acausal.simulate.matrices import Vector
 from acausal.simulate.options import Options
 from acausal.simulate.record import Ending, Recorder
@@ -182,8 +181,7 @@ class _Loop:
     def pace(self, targets: Vector) -> int:
         """As `reach`, and notes whether it was interrupted."""
         self._between = False
-        with advising(self.options.solver if self._x.size else "", self.options.step):
-            done = self.reach(targets)
+        done = self.reach(targets)
         self._between = True
         return done
 

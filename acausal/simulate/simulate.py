@@ -24,6 +24,7 @@ from acausal.simulate.solvers import AUTO, FIXED, chosen, make_solver
 from acausal.simulate.standing import Standing
 from acausal.simulate.stream import Store, Stream, read_end
 from acausal.simulate.suspects import naming_suspects
+from acausal.simulate.unstable import ExplicitSteps
 
 After: TypeAlias = "Standing | Result | str | Path"
 """What a run can go on from: another run, or the file of its result."""
@@ -139,6 +140,7 @@ def integrate(
     recorder = Recorder(evaluator, 0 if store is not None else len(grid(options)) + _SPARE)
     parameters = dict(zip(code.system.parameters, evaluator.p.tolist(), strict=True))
     stream = Stream(store, code.system, recorder, parameters) if store is not None else None
+    steps = ExplicitSteps(evaluator, options, point.x)
     began = process_time()
 
     def solver(current: Evaluator) -> Solver:
@@ -156,6 +158,7 @@ def integrate(
             cpu -= stream.spent
             stream.close(None if course.ended is not None else course.standing)
         found = _result(point, options, recorder, course, cpu)
+        found = replace(found, warnings=(*found.warnings, *steps.warnings(recorder)))
         return found if store is None else replace(found, file=store.path)
 
     def stopped(course: Course) -> None:
@@ -170,7 +173,7 @@ def integrate(
     made = solver if moves else None
     watched = observe if stream is not None or progress is not None else None
     try:
-        with naming_suspects(code, evaluator.p):
+        with naming_suspects(code, evaluator.p), steps.advising(recorder):
             return result(run(evaluator, made, point.x, options, recorder, stopped, watched, after))
     finally:
         if stream is not None:

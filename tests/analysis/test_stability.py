@@ -7,7 +7,7 @@ from math import inf, sqrt
 import numpy as np
 import pytest
 
-from acausal.analysis.stability import GROWTH, step_limit
+from acausal.simulate.stability import GROWTH, step_limit
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import acausal
-from acausal.analysis.stability import GROWTH
 from acausal.api import CompiledModel
 from acausal.errors import AcausalError
+from acausal.simulate.stability import GROWTH
 
 MIXED = """model Mixed "Two damped oscillators and a lag, coupled, and an angle that turns"
   Real x(start = 1, fixed = true), v(start = 0, fixed = true), y(start = -1, fixed = true);

@@ -84,7 +84,7 @@ def test_number_of_steps_is_limited() -> None:
 
 @pytest.mark.parametrize("solver", ["euler", "ab2", "heun", "rk3", "dopri5", "lieuler"])
 @pytest.mark.parametrize("interval", [0.01, 1.0])
-def test_a_run_that_explodes_says_that_the_step_may_be_too_long(solver: str, interval: float) -> None:
+def test_a_run_that_explodes_says_that_the_step_is_too_long(solver: str, interval: float) -> None:
     text = "model M Real x(start = 1, fixed = true); equation der(x) = -1e4 * x ^ 3; end M;"
     compiled = acausal.loads(text).compile()
     if solver == "lieuler":
@@ -93,5 +93,27 @@ def test_a_run_that_explodes_says_that_the_step_may_be_too_long(solver: str, int
     with pytest.raises(SimulationProblem) as caught:
         compiled.simulate(solver=solver, step=0.01, interval=interval)
     hint = caught.value.diagnostics[0].hint
-    assert f"the step of 0.01 s may exceed the stability limit of {solver}" in hint
+    assert f"the step of 0.01 s exceeds the stability limit of {solver}, " in hint
+    assert "at time 0 s, which the state x sets (eigenvalue -30000 1/s)" in hint
     assert "acausal eigen" in hint
+
+
+@pytest.mark.parametrize(("solver", "limit"), [("euler", "0.0004"), ("ab2", "0.0002"), ("dopri5", "0.00066")])
+def test_numbers_that_the_steps_made_are_told(solver: str, limit: str) -> None:
+    """The run ends before they overflow; with steps below the limit nothing is said."""
+    text = """model U Real slow(start = 0.5, fixed = true), fast(start = 1, fixed = true); equation
+      der(slow) = -slow; der(fast) = -5000 * (fast - cos(time)); end U;"""
+    compiled = acausal.loads(text).compile()
+    run = compiled.simulate(solver=solver, stop_time=0.1, step=0.01, compiled=False)
+    told = [w for w in run.warnings if w.code == "simulate.unstable"]
+    assert len(told) == 1
+    assert f"stability limit of {solver}, {limit}" in told[0].message
+    assert told[0].names == ("fast",)
+    assert compiled.simulate(solver=solver, stop_time=0.1, step=1e-4, compiled=False).warnings == ()
+
+
+def test_growth_of_the_solution_is_not_that_of_the_steps() -> None:
+    text = "model G Real x(start = 1, fixed = true); equation der(x) = 50 * x; end G;"
+    run = acausal.loads(text).compile().simulate(solver="euler", step=0.01, compiled=False)
+    assert run.warnings == ()
+    assert run.values("x")[-1] > 1e15
