@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -29,6 +30,7 @@ AT_REST = (
     "Hydraulics.Examples.SpoolBetweenStops",
     "Hydraulics.Examples.ThreeWaySpool",
     "Mechanics.Rotational.Examples.ElasticPlanetaryWindUp",
+    "Mechanics.Rotational.Examples.FrictionBrakeHolds",
     "Mechanics.Rotational.Examples.GearPairWindUp",
     "Mechanics.Rotational.Examples.HelicalPlanetaryWindUp",
     "Mechanics.Rotational.Examples.SmoothClutchCreeps",
@@ -77,6 +79,19 @@ def test_example(name: str) -> None:
         errors = np.abs(run.values("error"))
         worst = float(errors[-1] if name in AT_REST else np.max(errors))
         assert worst <= LIMITS.get(name, 1e-5), f"{name}: error {worst}"
+
+
+def test_every_component_of_the_mechanics_library_has_an_example() -> None:
+    folder = next(path for path in bundled_directories() if path.name == "mechanics") / "Mechanics"
+    texts = {
+        domain: " ".join(
+            path.read_text(encoding="utf-8") for path in (folder / domain / "Examples").glob("*.mo")
+        )
+        for domain in ("Rotational", "Translational")
+    }
+    names = [name.split(".")[1:] for name in components() if name.startswith("Mechanics.")]
+    assert len(names) > 50
+    assert [path for path in names if not re.search(rf"\b{path[-1]}\b", texts[path[0]])] == []
 
 
 @pytest.mark.parametrize("name", list(components()))

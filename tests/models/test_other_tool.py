@@ -15,10 +15,11 @@ import pytest
 import acausal
 from acausal.lang.library import bundled_directories
 
-ROTATIONAL = """BacklashImpact ClutchSticks CoastDown DamperAndInertia ElasticPlanetaryWindUp FrictionLaws
-GearPairWindUp GearedInertias HelicalPlanetaryEnergy HelicalPlanetaryWindUp IdealClutch InertiaUnderTorque
-OverrunningClutch PlanetaryReduction RigidClutchHolds RigidClutchesInRow RigidPlanetaryDrive SignalsAsMotion
-SmoothClutchCreeps SpringAndInertia SpringDamperAndInertia TwoWayLock""".split()
+ROTATIONAL = """BacklashImpact ClutchSticks CoastDown DamperAndInertia ElasticPlanetaryWindUp
+FrictionBrakeHolds FrictionLaws GearPairWindUp GearedInertias HelicalPlanetaryEnergy HelicalPlanetaryWindUp
+IdealClutch InertiaUnderTorque OverrunningClutch PlanetaryReduction RigidClutchHolds RigidClutchesInRow
+RigidPlanetaryDrive SignalsAsMotion SmoothClutchCreeps SpringAndInertia SpringDamperAndInertia
+TwoWayLock""".split()
 TRANSLATIONAL = """BouncingMass ClutchPistonAtPack DamperAndMass ElasticStopImpact MassUnderForce PlayInARod
 SpringAndMass SpringDamperAndMass""".split()
 EXAMPLES = [f"Rotational.Examples.{name}" for name in ROTATIONAL] + [
