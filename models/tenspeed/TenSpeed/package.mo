@@ -8,6 +8,8 @@ package TenSpeed "Ten-speed automatic transmission"
       Signals(version = "0.1.0")),
     Documentation(info = "<html>
 <p>A front-wheel-drive automatic with four planetary gearsets, three clutches, three brakes and one two-way clutch.
-So far: the kinematics in every gear, and the main-regulator circuit of the hydraulics.</p>
+<code>Gearbox</code> is one
+architecture at four levels, <code>Converter</code> the torque converter at five, <code>Valves</code> the hydraulic parts
+by level; <code>Benches</code> drive them, <code>Failures</code> break them.</p>
 </html>"));
 end TenSpeed;
