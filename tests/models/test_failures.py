@@ -29,21 +29,34 @@ def w_8(result: acausal.Result) -> float:
     return last(result, "gearbox.body[8].w")
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "InputStep",
-        "OutputStep",
-        "SupplyLost",
-        "ClutchesOff",
-        "FrictionLost",
-        "TieUp",
-        "Standstill",
-        "Reversal",
-    ],
+FAILURES = (
+    "InputStep",
+    "OutputStep",
+    "SupplyLost",
+    "ClutchesOff",
+    "FrictionLost",
+    "TieUp",
+    "Standstill",
+    "Reversal",
 )
+
+
+@pytest.mark.parametrize("name", FAILURES)
 def test_no_element_carries_more_than_its_capacity(name: str) -> None:
-    result = run(name)
+    check_capacities(run(name))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", [3, 2, 1])
+@pytest.mark.parametrize("name", FAILURES)
+def test_every_failure_runs_to_its_end_at_every_level(name: str, level: int) -> None:
+    result = run(name, level)
+    check_capacities(result)
+    simple, fine = (last(one, "gearbox.body[8].w") for one in (run(name), result))
+    assert fine == pytest.approx(simple, rel=0.05, abs=0.1)
+
+
+def check_capacities(result: acausal.Result) -> None:
     for element in ELEMENTS:
         capacity = result.values(f"gearbox.{element}.capacity")
         assert (np.abs(result.values(f"torque_{element}")) <= capacity * (1 + 1e-9) + 1e-6).all(), element
