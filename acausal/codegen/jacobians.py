@@ -15,9 +15,10 @@ from casadi import SX, Function
 
 from acausal.codegen.casadi_expressions import FORWARD, jacobian
 from acausal.codegen.constants import bindings, function_of_parameters
-from acausal.codegen.functions import Code
+from acausal.codegen.functions import Code, state_leaves
 from acausal.codegen.scope import Scope
-from acausal.symbolic.expressions.expr import Expr, sub, sym
+from acausal.codegen.slopes import slopes
+from acausal.symbolic.expressions.expr import Expr, der, sub, sym
 
 Of: TypeAlias = Literal["derivatives", "events", "outputs", "residuals"]
 By: TypeAlias = Literal["states", "inputs", "parameters", "unknowns"]
@@ -50,6 +51,23 @@ def _matrices(code: Code, of: Of, inputs: list[ca.MX]) -> ca.MX:
     """The same where the blocks are solved by a nested Function."""
     xdot, z = code.ode.call(inputs, True, False)
     return xdot if of == "derivatives" else _given(code, of).call([*inputs[:-1], z], True, False)[0]
+
+
+def explicit_jacobian(code: Code, of: Of, by: By) -> Function | None:
+    """`(t, x, p, m, u, d, z) -> (J, rate)` by the implicit function theorem, with `z` solved at the point.
+
+    For where `jacobian_function` gives no numbers: it multiplies slopes that are infinite behind a condition
+    with directions that are zero. None for residuals, and as `slopes`.
+    """
+    if of == "residuals":
+        return None
+    blocks = [segment.block for segment in code.dynamic.segments if segment.implicit]
+    roots = {
+        "derivatives": tuple(der(leaf) for leaf in state_leaves(code.system)),
+        "outputs": code.output_leaves,
+        "events": tuple(sub(*relation.args) for relation in code.relations),
+    }[of]
+    return slopes(code.dynamic, roots, blocks, None, code.ode.name_in()[_POSITION[by]])
 
 
 def _given(code: Code, of: Of) -> Function:

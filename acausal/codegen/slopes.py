@@ -29,15 +29,22 @@ from acausal.symbolic.expressions.expr import Expr
 
 
 def slopes(
-    program: Program, rates: tuple[Expr, ...], blocks: list[Block], factors: Factors | None
+    program: Program,
+    rates: tuple[Expr, ...],
+    blocks: list[Block],
+    factors: Factors | None,
+    by_group: str = "x",
 ) -> Function | None:
-    """`(t, x, p, m, u, d, z[, w]) -> (J, rate)`; None where a mode may make a large block singular."""
+    """`(t, x, p, m, u, d, z[, w]) -> (J, rate)`; None where a mode may make a large block singular.
+
+    Of any expressions in place of the derivatives, and by any group of inputs in place of the states.
+    """
     large = [block for block in blocks if len(block.tearing) > QUICK_LINEAR]
     if not rates or any(is_switching(block) for block in large):
         return None
     scope = Scope([*program.groups, ("z", program.guesses)])
     scope.run(program.blocks)
-    t, x, z = (scope.inputs[scope.names.index(name)] for name in "txz")
+    t, x, z = (scope.inputs[scope.names.index(name)] for name in ("t", by_group, "z"))
     by, goal = ca.vertcat(x, t), scope.column(rates)
     total = jacobian(goal, by)
     if large:

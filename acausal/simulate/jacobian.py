@@ -11,7 +11,14 @@ from scipy.sparse import csc_array, diags_array, eye_array
 from scipy.sparse.linalg import spsolve_triangular
 
 from acausal.codegen.functions import Code, input_leaves, state_leaves
-from acausal.codegen.jacobians import By, Of, binding_slopes, jacobian_function, residual_unknowns
+from acausal.codegen.jacobians import (
+    By,
+    Of,
+    binding_slopes,
+    explicit_jacobian,
+    jacobian_function,
+    residual_unknowns,
+)
 from acausal.errors import LookupProblem, UsageProblem, fail
 from acausal.lang.flat import REAL
 from acausal.simulate.evaluator import Evaluator
@@ -97,6 +104,11 @@ def jacobian_at(
         known.append(_unknowns(code, evaluator))
     found = function.call([np.asarray(value) for value in known])[0]
     matrix = csc_array(found.sparse())
+    if not np.isfinite(matrix.data).all():
+        other = explicit_jacobian(code, cast("Of", target), cast("By", by))
+        matrix = (
+            matrix if other is None else csc_array(other.call([np.asarray(v) for v in known])[0].sparse())
+        )
     colours = int(found.sparsity().uni_coloring().size2())
     columns = _columns(code, by)
     if by == "parameters":

@@ -124,3 +124,10 @@ def test_labels_and_wrong_choices(network: CompiledModel) -> None:
     for of, wrt in (("states", "states"), ("derivatives", "unknowns"), ("derivatives", "time")):
         with pytest.raises(UsageProblem):
             network.jacobian(of, wrt)
+
+
+@pytest.mark.parametrize(("of", "wrt"), [("derivatives", "states"), ("outputs", "parameters")])
+def test_slopes_that_are_infinite_behind_a_condition_do_no_harm(of: str, wrt: str) -> None:
+    """A closed orifice beside a block with a solver: the slope of a root at zero, in a direction of zero."""
+    model = acausal.load("TenSpeed.Examples.RigidClutches").compile()
+    assert np.isfinite(model.jacobian(of, wrt).matrix.data).all()
