@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from weakref import WeakKeyDictionary
 
 from acausal.symbolic.expressions.expr import EnumValue, Expr, fold
 from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.kernels.texts import TextOf
+from acausal.symbolic.expressions.node import Wide
 from acausal.symbolic.expressions.operators import OPERATORS
 
 _Piece = tuple[str, int]
@@ -63,6 +66,8 @@ def to_text(root: Expr, name: Callable[[str], str] = plain_name) -> str:
         written += length
         if length > MOST_CHARACTERS or written > _MOST_WRITTEN:
             return "...", _ATOM
+        if node.op == "call" and node.wide is not None and name is plain_name:
+            return _call_text(node, _shared_text(node.wide, args), name), _ATOM
         return _piece(node, args, name)
 
     return fold([root], visit)[root][0]
@@ -75,7 +80,9 @@ def beginning(root: Expr, most: int) -> str:
     """
 
     def visit(node: Expr, args: list[_Piece]) -> _Piece:
-        text, precedence = _piece(node, args[: most + 1], plain_name)  # each is a character or more
+        if node.op != "call" or node.wide is None:
+            args = args[: most + 1]  # each is a character or more
+        text, precedence = _piece(node, args, plain_name)
         return text[: most + 1], precedence
 
     return fold([root], visit)[root][0]
@@ -119,17 +126,65 @@ def _other(node: Expr, args: list[_Piece], name: Callable[[str], str]) -> _Piece
     if node.op == "if":
         condition, then, otherwise = (arg[0] for arg in args)
         return f"if {condition} then {then} else {otherwise}", 0
-    inner = ", ".join([arg[0] for arg in args])
+    wide = node.wide if node.op == "call" and name is plain_name else None
+    inner = _arguments(wide, args)
     if node.op == "smooth":
         return f"smooth({node.value}, {inner})", _ATOM
     if node.op == "call":
-        kernel = node.kernel
-        if isinstance(kernel, TextOf):
-            return f"String({inner}{kernel.options})", _ATOM
-        return f"{kernel.name if isinstance(kernel, Named) else name(kernel.name)}({inner})", _ATOM
+        return _call_text(node, inner, name), _ATOM
     if node.op == "derived":
         return args[0]
     return f"{_FUNCTION_TEXT.get(node.op, operator.text)}({inner})", _ATOM
+
+
+def _call_text(node: Expr, inner: str, name: Callable[[str], str]) -> str:
+    kernel = node.kernel
+    if isinstance(kernel, TextOf):
+        return f"String({inner}{kernel.options})"
+    return f"{kernel.name if isinstance(kernel, Named) else name(kernel.name)}({inner})"
+
+
+_in_ranges: WeakKeyDictionary[Wide, str] = WeakKeyDictionary()
+
+
+def _shared_text(wide: Wide, args: list[_Piece]) -> str:
+    """The text of arguments that calls share, made once."""
+    known = _in_ranges.get(wide)
+    if known is None:
+        known = _arguments(wide, args)
+        if ("...", _ATOM) not in args:
+            _in_ranges[wide] = known
+    return known
+
+
+def _arguments(wide: Wide | None, args: list[_Piece]) -> str:
+    texts = [arg[0] for arg in args]
+    return ", ".join(texts if wide is None else _with_ranges(texts))
+
+
+_ELEMENT = re.compile(r"([^()]*\[(?:\d+,)*)(\d+)\]")
+
+
+def _with_ranges(texts: list[str]) -> list[str]:
+    """Elements of an array that follow each other as one: `a[1:400]`."""
+    found: list[str] = []
+    last: tuple[str, int, int] | None = None
+    for text in [*texts, ""]:
+        element = _ELEMENT.fullmatch(text)
+        if (
+            element is not None
+            and last is not None
+            and (element[1], int(element[2])) == (last[0], last[2] + 1)
+        ):
+            last = last[0], last[1], last[2] + 1
+            continue
+        if last is not None:
+            base, first, end = last
+            found.append(f"{base}{first}]" if first == end else f"{base}{first}:{end}]")
+        last = None if element is None else (element[1], int(element[2]), int(element[2]))
+        if element is None and text:
+            found.append(text)
+    return found
 
 
 def _sum_text(args: list[_Piece]) -> str:

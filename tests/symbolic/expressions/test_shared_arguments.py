@@ -22,6 +22,7 @@ from acausal.symbolic.expressions.expr import (
 from acausal.symbolic.expressions.expr import relation as relation_of
 from acausal.symbolic.expressions.kernel import Named
 from acausal.symbolic.expressions.linear import slopes
+from acausal.symbolic.expressions.text import beginning, quoted_name, to_text
 from acausal.symbolic.expressions.walk import UNKNOWNS
 from tests.growth import Work, growth
 
@@ -76,3 +77,11 @@ def test_equations_that_share_arguments_cost_what_these_cost_once() -> None:
         return lambda: [unknown_leaves(node) for node in shared]
 
     assert growth(prepare, 100, 800) < 4
+
+
+def test_elements_of_arrays_print_as_ranges() -> None:
+    a, m = [sym(f"p.a[{k}]") for k in range(1, 31)], [sym(f"m[2,{k}]") for k in range(3, 5)]
+    node = call(Named("f", 35), *a, U, pre(V), *m, a[0])
+    assert to_text(node) == "f(p.a[1:30], u, pre(v), m[2,3:4], p.a[1])"
+    assert [beginning(node, most) for most in (5, 99)] == [to_text(node)[:6], to_text(node)]
+    assert to_text(node, quoted_name).startswith("f('p.a[1]', 'p.a[2]', 'p.a[3]'")
