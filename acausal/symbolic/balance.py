@@ -92,7 +92,9 @@ def _diagnostics(system: Structure, matching: Matching, model: str) -> list[Diag
     for conflict in conflicts(system, matching):
         caused = [shortage for shortage in lacking if shortage.touches(conflict.connectors)]
         lacking = [shortage for shortage in lacking if shortage not in caused]
-        over += explain_conflict(system, conflict, code, counts, _in_turn(caused))
+        found = explain_conflict(system, conflict, code, counts, _in_turn(caused))
+        again = any(found[0].span == known.span for known in over)  # in another element of an array
+        over += found[:1] if again else found
     under = [d for shortage in lacking for d in explain_shortage(system, shortage, code, counts)]
     return under + over if n_equations < n_unknowns else over + under
 

@@ -152,7 +152,8 @@ def explain_conflict(
     number = counted(len(conflict.equations), "equation")
     why = f"{counts}{conflict.circuit.inside}: {so}{number} {verb} {what}: "
     first = conflict.suspects[0]
-    about = names or symbols([first.left, first.right])
+    about = (*dict.fromkeys([*symbols([e.left for e in conflict.loose]), *names]),)
+    about = about or symbols([first.left, first.right])
     span = told.culprits[0][0] if told.culprits else first.span
     result = [Diagnostic(code, f"{why}{texts}{in_turn}", span, about, told.hint)]
     seen = {(span.file, span.start)}

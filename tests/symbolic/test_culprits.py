@@ -105,6 +105,16 @@ TEXT = """package Wrong
     connect(pump.port, pipe.port_a);
     connect(pipe.port_b, tank.port);
   end FixedFlow;
+  model Pair
+    S.Speed left(w_start = 1), right(w_start = 2);
+    C.Inertia body(J = 1);
+  equation
+    connect(left.flange, body.flange_a);
+    connect(right.flange, body.flange_b);
+  end Pair;
+  model Pairs
+    Pair pair[2];
+  end Pairs;
 end Wrong;"""
 
 EXPECTED = {
@@ -157,3 +167,19 @@ def test_other_places_follow_likeliest_first() -> None:
         "connect(gear.flange_b, case.flange)",
         "connect(left.flange, gear.flange_a)",
     ]
+
+
+def test_elements_of_an_array_are_told_once() -> None:
+    with pytest.raises(AcausalError) as caught:
+        acausal.loads(TEXT, "Wrong.Pairs").compile()
+    first, *_, last = caught.value.diagnostics
+    assert "inside `pair[1]` (<string>:" in first.message
+    assert "inside `pair[2]` (<string>:" in last.message
+    assert len(caught.value.diagnostics) == 5
+    assert first.span == last.span
+
+
+def test_a_loose_connector_is_the_first_name() -> None:
+    with pytest.raises(AcausalError) as caught:
+        acausal.loads(TEXT, "Wrong.LooseDamper").compile()
+    assert caught.value.diagnostics[0].names[0] == "damper.flange_b.tau"
