@@ -140,8 +140,8 @@ def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
         own, its = (to_text(v.start) if v.start is not None else "0" for v in (variable, other))
         return Diagnostic(
             "start.conflict",
-            f"`{variable.name}` is fixed at {own}, but it is an alias of `{other.name}` "
-            f"({place(start_place(other))}), which is fixed at {its}",
+            f"in the initial system `{variable.name}` is fixed at {own}, "
+            f"but it is an alias of `{other.name}` ({place(start_place(other))}), which is fixed at {its}",
             start_place(variable),
             (variable.name, other.name),
             "remove `fixed = true` from one of them, or make their start values agree",

@@ -131,7 +131,8 @@ def _always_impossible(
         because = "the equations determine it at every instant"
     return Diagnostic(
         "states.always-impossible",
-        f"`{variable.name}` has stateSelect = StateSelect.always but cannot be a state: {because}",
+        f"in the running system `{variable.name}` has stateSelect = StateSelect.always "
+        f"but cannot be a state: {because}",
         variable.span,
         (variable.name,),
         "use StateSelect.prefer, or remove the constraint",
