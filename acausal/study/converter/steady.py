@@ -23,25 +23,32 @@ from acausal.study.converter.laws import balance
 
 Strings = NDArray[np.str_]
 _UNIT = 200.0
-_LEAST = np.linspace(-0.78, 0.3, 13)
-_MOST = np.linspace(0.79, 1.65, 10)
-_FAMILIES = (
-    (_LEAST, _MOST),
-    (_LEAST, np.linspace(-1.7, -0.8, 10)),
-    (np.linspace(1.9, 2.7, 9), np.linspace(1.3, 1.9, 7)),
-)
-"""Directions of the speeds, as angles of (w_p, w_t), between which the net pressure vanishes: where it is
-positive, and where it is negative. Both shafts forward; the turbine backward; the impeller backward."""
-_SEARCH = 14
 _GRID = 24
-_BISECTIONS = 45
-_EDGE = 30
+_BISECTIONS = 34
+_EDGE = 26
 _REFINEMENTS = 22
 _CHUNK = 250
 _ACCEPTED = 1e-6
 _SOLVED = 1e-10
 _LARGEST = 1e6
 """rad/s or N.m."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Family:
+    """Directions of the speeds, as angles of (w_p, w_t), between which the net pressure vanishes."""
+
+    positive: Array
+    """Where it is positive."""
+    negative: Array
+
+
+_FAMILIES = (
+    _Family(np.linspace(-0.78, 0.3, 13), np.linspace(0.79, 1.65, 10)),
+    _Family(np.linspace(-0.78, 0.3, 13), np.linspace(-1.7, -0.8, 10)),
+    _Family(np.linspace(1.9, 2.7, 9), np.linspace(1.3, 1.9, 7)),
+)
+"""Both shafts forward; the turbine backward; the impeller backward."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,11 +116,11 @@ def steady_state(geometry: Geometry, at: Operating, choice: Choice = "upper") ->
     if wanted.w_p is not None and wanted.w_t is not None:
         return _finish(wanted.w_p, wanted.w_t, flow_at(wanted.w_p, wanted.w_t, g, choice).Q, g, wanted)
     points = np.full((size, 3), np.nan)
-    for family, exact in ((0, False), (0, True), (1, True), (2, True)):
+    for family in _FAMILIES:
         missing = np.flatnonzero(~(_worst(points, g, wanted) < _SOLVED))
         for first in range(0, len(missing), _CHUNK):
             part = np.isin(np.arange(size), missing[first : first + _CHUNK])
-            found = _follow(g.take(part), wanted.take(part), choice, _Family(*_FAMILIES[family], exact))
+            found = _follow(g.take(part), wanted.take(part), choice, family)
             points[part] = _newton(found, g.take(part), wanted.take(part))
     return _finish(points[:, 0], points[:, 1], points[:, 2], g, wanted)
 
@@ -179,15 +186,6 @@ class _Wanted:
         return by_torque
 
 
-@dataclass(frozen=True, eq=False)
-class _Family:
-    """Angles with positive and with negative net pressure; whether the largest is searched between them."""
-
-    positive: Array
-    negative: Array
-    exact: bool
-
-
 def _follow(g: Geometry, wanted: _Wanted, choice: Choice, family: _Family) -> Array:
     """A point (w_p, w_t, Q) close to the solution; not-a-number where there is none."""
     scale = wanted.scale()
@@ -240,22 +238,19 @@ def _ends(Q: Array, g: Geometry, family: _Family) -> tuple[Array, Array, NDArray
         np.stack([_pressure(Q, np.full(Q.shape, angle), g) for angle in angles.tolist()])
         for angles in (family.positive, family.negative)
     )
-    highest = family.positive[np.argmax(first, axis=0)]
-    high = first.max(axis=0)
-    if family.exact:
-        highest = _top(highest, float(family.positive[1] - family.positive[0]), Q, g)
-        high = np.maximum(high, _pressure(Q, highest, g))
+    step = float(family.positive[1] - family.positive[0])
+    highest = _top(family.positive[np.argmax(first, axis=0)], step, Q, g)
+    high = np.maximum(first.max(axis=0), _pressure(Q, highest, g))
     return highest, family.negative[np.argmin(last, axis=0)], (high > 0) & (last.min(axis=0) < 0)
 
 
 def _top(angle: Array, step: float, Q: Array, g: Geometry) -> Array:
-    """The direction of the highest net pressure close to an angle, by thirds of an interval."""
-    left, right = angle - step, angle + step
-    for _ in range(_SEARCH):
-        one, two = left + (right - left) / 3, right - (right - left) / 3
-        rises = _pressure(Q, one, g) < _pressure(Q, two, g)
-        left, right = np.where(rises, one, left), np.where(rises, right, two)
-    return (left + right) / 2
+    """The direction of the highest net pressure close to an angle: the vertex of two parabolas in turn."""
+    for h in (step, step / 16):
+        behind, here, ahead = (_pressure(Q, angle + k * h, g) for k in (-1, 0, 1))
+        bend = 2 * here - behind - ahead
+        angle = angle + h * np.clip((ahead - behind) / (2 * np.where(bend > 0, bend, np.inf)), -1, 1)
+    return angle
 
 
 def _last_flow(sign: float, g: Geometry, family: _Family) -> Array:
