@@ -196,7 +196,7 @@ class RunTime:
     """The run-time's functions; `library` compiles it when it is first needed on a machine."""
 
     def __init__(self) -> None:
-        library = run_time()
+        library = self.library = run_time()
         solver = POINTER(SolverStructure)
         self.doubles = library.ac_doubles
         self.doubles.argtypes, self.doubles.restype = [c_int] * 4, c_int

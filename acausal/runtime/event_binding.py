@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from ctypes import POINTER, Structure, c_double, c_int, c_longlong, c_void_p
+from ctypes import CDLL, POINTER, Structure, c_double, c_int, c_longlong, c_void_p
 
 from acausal.runtime.binding import FunctionStructure, pointers, typed
-from acausal.runtime.build import run_time
 
 CROWDED = 6
 RECENT = 100
@@ -95,8 +94,7 @@ class CruiseStructure(Structure):
 class EventRunTime:
     """The run-time's functions for events."""
 
-    def __init__(self) -> None:
-        library = run_time()
+    def __init__(self, library: CDLL) -> None:
         event, cruise = POINTER(EventStructure), POINTER(CruiseStructure)
         self.doubles, self.ints = library.ac_event_doubles, library.ac_event_ints
         self.doubles.argtypes, self.doubles.restype = [event], c_int

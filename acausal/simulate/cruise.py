@@ -31,8 +31,10 @@ _LEAST = 16
 
 
 def is_possible(code: Code) -> bool:
-    """Whether the run-time can handle the system's events."""
+    """Whether there are events that the run-time can handle."""
     system = code.system
+    if not (system.zero_crossings or system.discrete.frozen):
+        return False
     if system.delays or len(system.events) != len(system.zero_crossings):
         return False
     return not any(is_evaluated_in_python(function) for function in event_functions(code).values())
@@ -53,6 +55,7 @@ class Cruise:
 
     def __init__(
         self,
+        library: ctypes.CDLL,
         model: ModelStructure,
         solver: SolverStructure,
         known: dict[str, Vector],
@@ -61,7 +64,7 @@ class Cruise:
         guard: EventGuard,
         ahead: float,
     ) -> None:
-        self._run_time = EventRunTime()
+        self._run_time = EventRunTime(library)
         self._memory = Memory()
         self._event, self._cruise = EventStructure(), CruiseStructure()
         self._known, self._settling, self._schedule, self._guard = known, settling, schedule, guard

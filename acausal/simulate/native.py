@@ -344,7 +344,9 @@ class NativeSolver:
         self._events = None
         if is_possible(self._evaluator.code):
             known = self._known("z")
-            self._events = Cruise(self._model, self._solver, known, settling, schedule, guard, ahead)
+            self._events = Cruise(
+                self._run_time.library, self._model, self._solver, known, settling, schedule, guard, ahead
+            )
             self._events.make_room(len(self._rows), self._model.outputs)
             self._events.bind(self._machine.library if self.is_compiled else None)
         return self._events

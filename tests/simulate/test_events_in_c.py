@@ -9,7 +9,7 @@ import pytest
 
 import acausal
 from acausal.errors import AcausalError
-from acausal.runtime import event_binding
+from acausal.runtime import binding, event_binding
 from acausal.runtime.build import compiler
 from acausal.simulate import native
 from acausal.simulate.settle import Settling
@@ -128,6 +128,6 @@ def test_rows_of_narrow_blocks_are_complete(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_structures_have_the_sizes_of_the_headers() -> None:
     sizes = (ctypes.c_int * 2)()
-    event_binding.EventRunTime().sizes(ctypes.addressof(sizes))
+    event_binding.EventRunTime(binding.RunTime().library).sizes(ctypes.addressof(sizes))
     mirrored = (event_binding.EventStructure, event_binding.CruiseStructure)
     assert list(sizes) == [ctypes.sizeof(structure) for structure in mirrored]
