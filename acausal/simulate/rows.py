@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import mmap
+
 import numpy as np
 
 from acausal.simulate.matrices import Vector
@@ -11,6 +13,17 @@ _FIRST = 64
 _MOST = 2**26
 """Numbers for which room is made before they come. Memory is taken when it is written to."""
 
+_LARGE = 2**20
+"""Bytes from which on memory comes from the system page by page."""
+
+
+def _room(rows: int, width: int) -> Vector:
+    """Memory for so many rows, in small pages: NumPy asks for those of 2 MiB, which on a virtual machine
+    that never had them before take a third of the time of a run of the gearbox."""
+    if 8 * rows * width < _LARGE:
+        return np.empty((rows, width))
+    return np.frombuffer(mmap.mmap(-1, 8 * rows * width), dtype=np.float64).reshape(rows, width)
+
 
 class Rows:
     """Rows of `width` numbers in one block of memory, of which about `expected` will come."""
@@ -18,7 +31,7 @@ class Rows:
     def __init__(self, width: int, expected: int = 0) -> None:
         room = max(_FIRST, min(expected, _MOST // max(1, width)))
         self.count = 0
-        self._times, self._data = np.empty(room), np.empty((room, width))
+        self._times, self._data = np.empty(room), _room(room, width)
 
     @property
     def times(self) -> Vector:
@@ -47,7 +60,7 @@ class Rows:
 
     def _grow(self, needed: int) -> None:
         room, times, data = max(needed, 2 * len(self._times)), self.times, self.data
-        self._times, self._data = np.empty(room), np.empty((room, data.shape[1]))
+        self._times, self._data = np.empty(room), _room(room, data.shape[1])
         self._times[: self.count], self._data[: self.count] = times, data
 
     def drop(self) -> None:
