@@ -8,8 +8,9 @@ states and instants of runs.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -22,10 +23,11 @@ from acausal.analysis.snapshot import Snapshot
 from acausal.analysis.starting import columns, mapped_start
 from acausal.analysis.zeros import pivots_of, zeros_of
 from acausal.codegen.functions import Code
-from acausal.errors import UsageProblem, fail
+from acausal.errors import AcausalError, UsageProblem, fail
 from acausal.simulate.inputs import InputValue
 
 _EXACT = 1e-11
+_SHOWN = 6
 
 Values = Sequence[float] | NDArray[np.float64]
 
@@ -83,7 +85,8 @@ def variants(
     """
     given, starts, count = columns(parameters, start or {})
     first_setting = Setting(_row(given, 0), _row(starts, 0), inputs or {}, rtol)
-    (first,) = snapshots(code, [at], first_setting)
+    with _naming(given, starts, 0):
+        (first,) = snapshots(code, [at], first_setting)
     matrices: Matrix | None = None
     if at == "initial":
         matrices = mapped_start(code, first, given, starts, inputs or {})
@@ -92,11 +95,31 @@ def variants(
     n = len(first.states)
     result = np.full((count, n, n), np.nan) if matrices is None else matrices
     for i, setting in each.items():
-        snapshot = first if i == 0 else snapshots(code, [at], setting)[0]
+        with _naming(given, starts, i):
+            snapshot = first if i == 0 else snapshots(code, [at], setting)[0]
         if snapshot.states != first.states:
             raise _other_states(first, i)
         result[i] = snapshot.a
     return Variants(first, given, starts, result)
+
+
+@contextmanager
+def _naming(
+    given: Mapping[str, tuple[float, ...]], starts: Mapping[str, tuple[float, ...]], i: int
+) -> Generator[None, None, None]:
+    """Says which variant an error inside it is of, by the values that differ between variants."""
+    try:
+        yield
+    except AcausalError as error:
+        own = {name: values[i] for table in (given, starts) for name, values in table.items()}
+        varied = {n for table in (given, starts) for n, values in table.items() if len(set(values)) > 1}
+        texts = [f"{name} = {value:.9g}" for name, value in own.items() if name in varied]
+        if not texts:
+            raise
+        first, *others = error.diagnostics
+        message = f"{first.message} (variant {i + 1}: {', '.join(texts[:_SHOWN])})"
+        names = tuple(dict.fromkeys([*first.names, *(name for name in own if name in varied)]))
+        raise type(error)([replace(first, message=message, names=names), *others]) from error.__cause__
 
 
 def _left(matrices: Matrix | None, count: int) -> list[int]:

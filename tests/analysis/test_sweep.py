@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import acausal
-from acausal.analysis.sweep import spaced, table_of
-from acausal.errors import UsageProblem
+from acausal.analysis.sweep import spaced, sweep, table_of
+from acausal.errors import AcausalError, UsageProblem
 
 THREE = """model Three "Two oscillators that are coupled, one that is not"
   parameter Real k(unit = "N/m") = 1, c = 0, e = 0.01, d = 0.05;
@@ -59,3 +59,13 @@ def test_ranges_and_tables(tmp_path: Path) -> None:
         table.write_text(text, encoding="utf-8")
         with pytest.raises(UsageProblem, match="no table of variants"):
             table_of(table)
+
+
+def test_the_value_that_fails_is_named() -> None:
+    model = acausal.loads(
+        "model E parameter Real k = 1; Real x(start = 1, fixed = true), w; "
+        "equation w = log(2 - k); der(x) = -x * w; end E;"
+    ).compile()
+    with pytest.raises(AcausalError, match=r"\(variant 4: k = 2\)") as caught:
+        sweep(model.code, "k", [0.5, 1.0, 1.5, 2.0, 2.5])
+    assert "k" in caught.value.diagnostics[0].names
