@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from acausal.lang.flat import Equation
+from acausal.lang.flat import Equation, Origin
 from acausal.symbolic.causal import Block, CausalEquation, CausalSystem
 from acausal.symbolic.expressions.expr import Expr
 from acausal.symbolic.leaves import all_leaves
@@ -109,6 +109,12 @@ def incidence(system: CausalSystem) -> Incidence:
 
 def _sides(equation: CausalEquation) -> tuple[Expr, Expr]:
     return equation.left, equation.right
+
+
+def unconnected(system: CausalSystem) -> tuple[str, ...]:
+    """Connectors of components that nothing is connected to, in order: no flow passes them."""
+    zeros = [e.left.name for e in system.flat.equations if e.origin is Origin.UNCONNECTED and e.component]
+    return tuple(dict.fromkeys(name.rpartition(".")[0] for name in zeros))
 
 
 class _Declared:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from acausal.explain.collect import block_equations
+from acausal.explain.collect import block_equations, unconnected
 from acausal.explain.explanation import Explanation
 from acausal.explain.words import spot
 from acausal.lang.flat import Equation
@@ -23,6 +23,7 @@ def explanation_data(explanation: Explanation) -> Object:
         "equations": system.equation_count,
         "variables": system.unknown_count,
         "removed": _removed(system),
+        "unconnected": list(unconnected(system)),
         "evaluated": list(system.evaluated),
         "aliases": [
             {"name": alias.name, "value": to_text(alias.value), "equation": _equation(alias.equation)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from acausal.explain.collect import unconnected
 from acausal.explain.explanation import Explanation
 from acausal.explain.folding import folded
 from acausal.explain.words import (
@@ -80,7 +81,7 @@ def _printed(title: str, lines: Sequence[str], more: str | None) -> Iterator[str
 
 
 def _flat(explanation: Explanation) -> list[str]:
-    flat = explanation.system.flat
+    flat, loose = explanation.system.flat, unconnected(explanation.system)
     kinds = [(origin, sum(e.origin is origin for e in flat.equations)) for origin in Origin]
     origins = ", ".join(f"{count} {origin.value}" for origin, count in kinds if count)
     parameters = counted(len(flat.parameters), "parameter or constant", "parameters and constants")
@@ -89,6 +90,7 @@ def _flat(explanation: Explanation) -> list[str]:
     return [
         f"{size}, {parameters}, {counted(len(flat.inputs), 'input')}",
         *([f"where the equations come from: {origins}"] if origins else []),
+        *([f"not connected, so that no flow passes: {cut(folded(loose), MOST_NAMES)}"] if loose else []),
     ]
 
 

@@ -83,3 +83,13 @@ def test_a_singular_model_shows_its_parts() -> None:
     assert "the error &lt;1&gt;" in page
     assert "<svg" in page
     assert "Too many equations" in page
+
+
+def test_connectors_that_may_be_forgotten_are_listed() -> None:
+    text = """model M
+      Mechanics.Rotational.Components.Inertia a[2](each J = 1);
+      Mechanics.Rotational.Components.IdealGear gear(ratio = 2);
+    equation connect(a[1].flange_b, gear.flange_a); connect(a[2].flange_b, gear.flange_a); end M;"""
+    explanation = explained(text)
+    assert explanation.to_json()["unconnected"] == ["a[1].flange_a", "a[2].flange_a", "gear.flange_b"]
+    assert "no flow passes: a[1:2].flange_a, gear.flange_b\n" in explanation.text
