@@ -24,7 +24,8 @@ _HEAD = """\
 
 The Modelica Association publishes results of the examples of its standard library, with a list of the
 signals that count for each. The examples are simulated over the interval of their own `experiment`
-annotation, with the default solver and tolerance, and compared with these on the grid of the reference:
+annotation (of the reference, where that was made over another one; this is noted), with the default solver
+and tolerance, and compared with these on the grid of the reference:
 
 - every value has to be within 0.2 % of the signal's range of the reference (a constant: 1e-6 of its value);
 - within 2e-3 s of an event of either (runs shorter than a second: 2e-3 of their length) it may have any
@@ -40,6 +41,14 @@ writes.
 Known reasons: `ImpureGenerator` draws from a hidden state, and its sequence is the tool's own. The references
 of 4.0.0 for two examples with noise come from other seeds (of instance names); the same models agree with
 those of 4.1.0.
+
+The start of `Multivibrator` and `SignalGenerator` has three solutions; start values lead to the one between
+the saturated ones, `homotopy` is a fallback only. `L_stat` of `ForceCurrentBehaviour` is a quotient of two
+values that are rounding. `ForceStrokeBehaviour` prescribes a velocity that jumps to a mass. In
+`SMPM_NoLoad` an angle is at the point where it changes from pi to -pi. `SMPM_Braking`: two solvers agree at
+a tolerance of 1e-9, about 1e-4 of the way in angle from the reference. `ChopperStepDown_RL` agrees with a
+tolerance of 1e-8: what is off is a current of 1e-5 A in an open switch of 1e5 Ohm. `HBridge_DC_Drive` has
+about 96,000 events.
 """
 
 
