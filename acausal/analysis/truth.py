@@ -16,7 +16,7 @@ from acausal.analysis.linear import Matrix, state_matrix
 from acausal.analysis.modes import Modes
 from acausal.errors import SimulationProblem
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.messages import place
+from acausal.symbolic.describe import place
 from acausal.symbolic.expressions.expr import symbols
 from acausal.symbolic.expressions.text import to_text
 

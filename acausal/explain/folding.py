@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 _INDEX = re.compile(r"(?<=\[)\d+(?:, ?\d+)*(?=\])")
@@ -18,6 +18,14 @@ def folded(lines: Sequence[str]) -> list[str]:
     for line in lines:
         groups.setdefault(_INDEX.sub("*", line), []).append(line)
     return [_told(group) for group in groups.values()]
+
+
+def listing(lines: Sequence[str], most: int | None) -> Iterator[str]:
+    """Indented: folded and, after `most` of them, how many are left out; all as they are where it is None."""
+    rows = lines if most is None else folded(lines)
+    yield from (f"  {row}" for row in rows[:most])
+    if most is not None and len(rows) > most:
+        yield f"  and {len(rows) - most} more; --all shows them"
 
 
 def _told(group: Sequence[str]) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from acausal.explain.folding import folded
+from acausal.explain.folding import listing
 from acausal.explain.words import counted, short, where
 from acausal.lang.flat import FlatModel
 from acausal.symbolic.balance import flat_structure
@@ -46,13 +46,6 @@ def _part(system: Structure, title: str, part: Part, most: int | None) -> Iterat
     sizes = f"{counted(len(part.equations), 'equation')} for {counted(len(part.variables), 'unknown')}"
     yield from ("", f"{title}: {sizes}")
     equations = [system.equations[eq] for eq in part.equations]
-    yield from _list([f"`{short(equation_text(e), _MOST_TEXT)}` ({where(e)})" for e in equations], most)
+    yield from listing([f"`{short(equation_text(e), _MOST_TEXT)}` ({where(e)})" for e in equations], most)
     unknowns = [system.unknowns[var] for var in part.variables]
-    yield from _list([f"unknown {v.name} ({place(v.span)})" for v in unknowns], most)
-
-
-def _list(lines: Sequence[str], most: int | None) -> Iterator[str]:
-    rows = lines if most is None else folded(lines)
-    yield from (f"  {row}" for row in rows[:most])
-    if most is not None and len(rows) > most:
-        yield f"  and {len(rows) - most} more; --all shows them"
+    yield from listing([f"unknown {v.name} ({place(v.span)})" for v in unknowns], most)

@@ -7,20 +7,20 @@ from dataclasses import dataclass
 from math import isfinite
 
 from acausal.codegen.functions import Code
-from acausal.errors import Diagnostic
-from acausal.explain.folding import folded
-from acausal.explain.words import counted, where
+from acausal.errors import Diagnostic, LookupProblem
+from acausal.explain.folding import listing
+from acausal.explain.words import counted, short, where
 from acausal.simulate.messages import number
 from acausal.simulate.result import Result
 from acausal.simulate.simulate import simulate
 from acausal.symbolic.causal import BlockKind, CausalEquation, CausalSystem
 from acausal.symbolic.describe import equation_text
-from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
-from acausal.symbolic.expressions.expr import Constant, Expr, const, substitute, unknown_leaves
+from acausal.symbolic.expressions.evaluate import number_of
+from acausal.symbolic.expressions.expr import Constant, Expr, const, neg, substitute, unknown_leaves
 from acausal.symbolic.expressions.text import to_text
 
 MOST_ROWS = 40
-_MOST_MOVING = 10
+_MOST_MOVING, _MOST_TEXT = 10, 160
 _TITLES = {
     "fixed": "Fixed",
     "assumed": "Assumed: not fixed, but needed as equations",
@@ -41,7 +41,7 @@ class Started:
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """An equation that was solved by iteration: the difference of its sides, relative to their size."""
+    """An equation that was solved by iteration: the difference of its sides, relative to its terms' sizes."""
 
     equation: CausalEquation
     residual: float
@@ -127,11 +127,23 @@ def _held(system: CausalSystem, result: Result) -> Iterable[Held]:
     for block in system.initial.blocks:
         if block.kind is BlockKind.NONLINEAR:
             for residual in block.residuals:
-                sides = [_number(side, result) for side in (residual.equation.left, residual.equation.right)]
-                if all(side is not None and isfinite(side) for side in sides):
-                    left, right = (side or 0.0 for side in sides)
-                    size = max(abs(left), abs(right), 1e-300)
-                    yield Held(residual.equation, abs(left - right) / size)
+                sides = (residual.equation.left, residual.equation.right)
+                left, right = ([_number(term, result) for term in _terms(side)] for side in sides)
+                numbers = [value for value in (*left, *right) if value is not None and isfinite(value)]
+                if len(numbers) == len(left) + len(right):
+                    off = abs(sum(numbers[: len(left)]) - sum(numbers[len(left) :]))
+                    yield Held(residual.equation, off / max(sum(map(abs, numbers)), 1e-300))
+
+
+def _terms(side: Expr) -> Iterable[Expr]:
+    """What is added up: in `0 = a - b` only these say what is small."""
+    stack = [(side, 1)]
+    while stack:
+        node, sign = stack.pop()
+        if node.op in ("add", "neg"):
+            stack += [(arg, -sign if node.op == "neg" else sign) for arg in reversed(node.args)]
+        else:
+            yield node if sign > 0 else neg(node)
 
 
 def _number(expr: Expr, result: Result) -> float | None:
@@ -141,13 +153,10 @@ def _number(expr: Expr, result: Result) -> float | None:
         return result.time[0] if name == "time" else _value(result, name)
 
     try:
-        slopes = {
-            leaf: const(_value(result, to_text(leaf))) for leaf in unknown_leaves(expr) if leaf.op == "der"
-        }
-        found = evaluate(substitute(expr, slopes), lookup)
-    except (NotConstant, EvaluationFailed, KeyError):
+        slopes = {x: const(_value(result, to_text(x))) for x in unknown_leaves(expr) if x.op == "der"}
+        return number_of(substitute(expr, slopes), lookup)
+    except LookupProblem:
         return None
-    return float(found) if isinstance(found, int | float) else None
 
 
 def _lines(report: InitialReport, most: int | None) -> Iterable[str]:
@@ -155,17 +164,15 @@ def _lines(report: InitialReport, most: int | None) -> Iterable[str]:
     for use, title in _TITLES.items():
         lines = [_start_line(s) for s in report.starts if s.use == use]
         if lines:
-            rows = lines if most is None else folded(lines)
             yield from ("", f"{title}: {counted(len(lines), 'start value')}")
-            yield from (f"  {row}" for row in rows[:most])
-            if most is not None and len(rows) > most:
-                yield f"  and {len(rows) - most} more; --all shows them"
+            yield from listing(lines, most)
     yield ""
     yield from _moving_lines(report.moving)
     if report.held:
         worst = report.held[0]
         yield f"{counted(len(report.held), 'equation')} solved by iteration; the largest relative residual is"
-        yield f"  {number(worst.residual)} in `{_short(worst.equation)}` ({where(worst.equation)})"
+        text = short(equation_text(worst.equation.flat), _MOST_TEXT)
+        yield f"  {number(worst.residual)} in `{text}` ({where(worst.equation)})"
 
 
 def _start_line(start: Started) -> str:
@@ -179,8 +186,3 @@ def _moving_lines(moving: Sequence[tuple[str, float]]) -> Iterable[str]:
         return
     yield f"{counted(len(moving), 'state')} in motion at the start; those that change fastest for their size"
     yield from (f"  der({name}) = {number(slope)}" for name, slope in moving[:_MOST_MOVING])
-
-
-def _short(equation: CausalEquation) -> str:
-    text = equation_text(equation.flat)
-    return text if len(text) <= 120 else f"{text[:120]} ..."

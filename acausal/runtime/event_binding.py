@@ -7,8 +7,8 @@ from ctypes import CDLL, POINTER, Structure, c_double, c_int, c_longlong, c_void
 from acausal.runtime.binding import FunctionStructure, pointers, typed
 
 CROWDED = 6
-RECENT = 100
-"""Stops that are remembered."""
+RECENT, SHRINKING = 100, 24
+"""Stops that are remembered, and how many of them may shrink to an accumulation: `cruise.h`."""
 
 
 class EventStructure(Structure):

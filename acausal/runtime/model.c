@@ -170,7 +170,7 @@ int ac_matrix(ac_model *m, double t, const double *x)
 {
     ac_model_at(m, t, x);
     m->jacobians++;
-    if (m->entries == 0) {
+    if (m->entries == 0 && !m->exact_rate) { /* the derivative by time may come with the matrix */
         return 0;
     }
     if (m->takes_solution && m->guesses > 0 && ac_blocks(m) != 0) {
@@ -178,14 +178,17 @@ int ac_matrix(ac_model *m, double t, const double *x)
     }
     clocked(m);
     (void)ac_call(&m->timed_slopes);
-    m->jacobian[0] = NAN;
+    if (m->entries > 0) {
+        m->jacobian[0] = NAN;
+    }
     if (ac_call(&m->jac) == 0 && ac_finite(m->jacobian, m->entries)) {
         return 0;
     }
     return m->guesses > 0 && m->rescue != NULL && m->rescue(m->owner, 1) == 0 ? 0 : AC_NOT_FINITE;
 }
 
-/* d xdot / d t, right after `ac_matrix` at this point: from its function, with the matrix, or by a difference over a small part of `span` towards its end. */
+/* d xdot / d t, right after `ac_matrix` at this point: from its function, with the matrix, or by a difference over a
+ * small part of `span` towards its end. */
 int ac_rate(ac_model *m, double t, const double *x, const double *f, double span, double *rate)
 {
     if (m->autonomous) {

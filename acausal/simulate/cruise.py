@@ -3,8 +3,8 @@
 What settles at once, and has nothing to say, is done in C: both rows, modes, discrete variables and states,
 the next known instant, and the integrator's restart. Anything else, such as modes that go round in circles,
 an assertion or a `terminate`, is left to `settle` with everything as it was before the event. Both do the
-same operations in the same order. Not for models with delays, with functions
-that only Python has, or with states that are chosen during the run.
+same operations in the same order. Not for models with delays, with functions that only Python has, or with
+states that are chosen during the run.
 """
 
 from __future__ import annotations

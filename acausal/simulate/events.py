@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.errors import Diagnostic, SimulationProblem
+from acausal.runtime.event_binding import RECENT, SHRINKING
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import at, crossing_text, leaf_name, some, span_of
@@ -26,12 +27,10 @@ BAND = 1e-9
 """Relative to both sides' sizes: closer to zero than this, a root counts as zero."""
 _NOISE = 1e-14
 _CLEAR = 1e-15
-ZENO_EVENTS = 100
 ZENO_SHARE = 1e-6
-"""This many events within this share of the simulated time are an accumulation."""
-SHRINKING = 24
+"""`RECENT` events within this share of the simulated time are an accumulation."""
 RESOLVED = 1e-8
-"""So are this many whose distances shrink, in the end below this share of a second or of a shorter run."""
+"""So are `SHRINKING` whose distances shrink, in the end below this share of a second or of a shorter run."""
 
 
 def literal_modes(ops: tuple[str, ...], roots: Vector) -> Vector:
@@ -168,10 +167,10 @@ class EventGuard:
         """So many stops as are remembered within this time are an accumulation."""
         self.resolved = RESOLVED * min(span, 1.0)
         """So are some whose distances shrink below this time."""
-        self.recent = np.zeros(ZENO_EVENTS)
+        self.recent = np.zeros(RECENT)
         """When the last stops were, in turn."""
         width = len(system.events) + len(system.discrete.unknowns)
-        self.involved = np.zeros((ZENO_EVENTS, width), np.uint8)
+        self.involved = np.zeros((RECENT, width), np.uint8)
         self._system = system
 
     def add(self, time: float, changed: NDArray[np.bool_], happened: bool) -> None:
@@ -179,7 +178,7 @@ class EventGuard:
 
         Raises `SimulationProblem` (`simulate.zeno`) where they accumulate.
         """
-        place = self.stops % ZENO_EVENTS
+        place = self.stops % RECENT
         self.count += happened
         self.stops += 1
         self.recent[place], self.involved[place] = time, changed
@@ -188,12 +187,12 @@ class EventGuard:
 
     def _times(self) -> Vector:
         """Of the stops that are remembered, in order."""
-        count = min(self.stops, ZENO_EVENTS)
-        return self.recent[np.arange(self.stops - count, self.stops) % ZENO_EVENTS]
+        count = min(self.stops, RECENT)
+        return self.recent[np.arange(self.stops - count, self.stops) % RECENT]
 
     def _is_dense(self) -> bool:
         times = self._times()
-        return len(times) == ZENO_EVENTS and bool(times[-1] - times[0] <= self.shortest)
+        return len(times) == RECENT and bool(times[-1] - times[0] <= self.shortest)
 
     def _shrinks(self) -> bool:
         """Whether the time between stops goes to zero like a geometric series, and has all but got there."""

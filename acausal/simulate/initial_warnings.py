@@ -12,10 +12,10 @@ from acausal.errors import Diagnostic
 from acausal.lang.flat import REAL, Variable
 from acausal.simulate.call import residual_and_jacobian
 from acausal.simulate.matrices import Vector, dependent_rows, row_sums, scaled, transposed
-from acausal.simulate.messages import leaf_name, number, place
+from acausal.simulate.messages import leaf_name, number
 from acausal.symbolic.attributes import start_place
-from acausal.symbolic.describe import equation_with_place, listed, quoted
-from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
+from acausal.symbolic.describe import equations_with_places, listed, place, quoted
+from acausal.symbolic.expressions.evaluate import number_of
 from acausal.symbolic.expressions.expr import Expr, sym
 from acausal.symbolic.user_lines import moved_to_user
 
@@ -48,7 +48,7 @@ def _many_solutions(code: Code, block: ImplicitCode, values: Vector) -> Diagnost
         return None
     names = tuple(leaf_name(unknowns[i]) for i in columns)
     equations = [block.block.residuals[i].equation.flat for i in rows]
-    texts = listed([equation_with_place(equation) for equation in equations])
+    texts = equations_with_places(equations)
     one = sorted(set(names) & set(code.system.states))[:1] or list(names[:1])
     return Diagnostic(
         "initialize.not-unique",
@@ -95,10 +95,4 @@ def _beyond(variable: Variable, value: float, parameters: dict[str, float]) -> s
 
 
 def _bound(bound: Expr | None, parameters: dict[str, float]) -> float | None:
-    if bound is None or bound.op == "const":
-        return None if bound is None else bound.number
-    try:
-        found = evaluate(bound, parameters.get)
-    except (NotConstant, EvaluationFailed):
-        return None
-    return float(found) if isinstance(found, int | float) else None
+    return None if bound is None else number_of(bound, parameters.get)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from acausal.errors import AcausalError, Diagnostic, InitializationProblem, Span
 from acausal.symbolic.causal import Block, BlockKind, CausalEquation, CausalSystem, ZeroCrossing
-from acausal.symbolic.describe import shown
+from acausal.symbolic.describe import place, shown
 from acausal.symbolic.expressions.expr import Expr, postorder, symbols
 from acausal.symbolic.expressions.text import to_text
 
@@ -70,11 +70,6 @@ def block_problem(
 def crossing_text(crossing: ZeroCrossing) -> str:
     """`x < 1 (file:line)`."""
     return f"`{to_text(crossing.relation)}` ({place(crossing.span)})"
-
-
-def place(span: Span) -> str:
-    """`file:line`."""
-    return f"{span.file}:{span.line}"
 
 
 def span_of(system: CausalSystem, node: Expr) -> Span:

@@ -81,7 +81,7 @@ def _bad_sample(evaluator: Evaluator, i: int, start: float, interval: float) -> 
     span = span_of(system, node)
     names = symbols([node])
     if math.isfinite(start):
-        what, hint = f"the interval {number(interval)} s", "it must be greater than zero"
+        what, hint = f"the interval {number(interval)} s", "it must be a number greater than zero"
     else:
         what, hint = f"the start {number(start)} s", "it must be a number"
     message = f"`{to_text(node)}` has {what} {at(float(evaluator.t[0]))}"

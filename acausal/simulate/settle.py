@@ -29,8 +29,9 @@ from acausal.simulate.event_errors import bad_reset, no_value
 from acausal.simulate.events import Instant, against, crossed_modes, operators, wanted_modes
 from acausal.simulate.initial_modes import Switched, moving, same_values
 from acausal.simulate.matrices import Vector
-from acausal.simulate.messages import at, crossing_text, leaf_name, place, some
+from acausal.simulate.messages import at, crossing_text, leaf_name, some
 from acausal.symbolic.causal import CausalSystem, ZeroCrossing
+from acausal.symbolic.describe import place
 from acausal.symbolic.expressions.expr import Expr, postorder, symbols
 
 MAX_ITERATIONS = 50

@@ -13,7 +13,7 @@ from acausal.simulate.matrices import Vector
 from acausal.simulate.messages import block_equations, leaf_name, number
 from acausal.symbolic.causal import CausalEquation, CausalSystem
 from acausal.symbolic.describe import place, short_text
-from acausal.symbolic.expressions.evaluate import EvaluationFailed, NotConstant, evaluate
+from acausal.symbolic.expressions.evaluate import number_of
 from acausal.symbolic.expressions.expr import ZERO, Expr, postorder, symbols
 from acausal.symbolic.parameters import definition
 from acausal.symbolic.user_lines import at_users_lines
@@ -147,16 +147,8 @@ def _zeros(equation: CausalEquation, values: Mapping[str, float]) -> Generator[E
         else:
             continue
         for factor in factors:
-            if known[factor] and _value(factor, values) == 0:
+            if known[factor] and number_of(factor, values.get) == 0:
                 yield factor
-
-
-def _value(expr: Expr, values: Mapping[str, float]) -> float | None:
-    try:
-        found = evaluate(expr, values.get)
-    except (NotConstant, EvaluationFailed):
-        return None
-    return float(found) if isinstance(found, int | float) else None
 
 
 def _given(system: CausalSystem, names: Iterable[str], values: Mapping[str, float]) -> Iterable[Variable]:

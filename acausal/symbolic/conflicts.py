@@ -9,7 +9,17 @@ from functools import cached_property
 from acausal.errors import Diagnostic, Span
 from acausal.lang.flat import Equation, Origin
 from acausal.symbolic.circuit import Circuit, connector_of
-from acausal.symbolic.describe import SHOWN, counted, dots, equation_with_place, listed, place, quoted, shown
+from acausal.symbolic.describe import (
+    SHOWN,
+    counted,
+    dots,
+    equation_with_place,
+    equations_with_places,
+    listed,
+    place,
+    quoted,
+    shown,
+)
 from acausal.symbolic.expressions.expr import symbols
 from acausal.symbolic.graphs.dulmage_mendelsohn import Part, overdetermined_subset
 from acausal.symbolic.graphs.matching import Matching
@@ -144,10 +154,7 @@ def explain_conflict(
     what = f"{counted(len(names), 'unknown')} ({listed(names)})" if names else "no unknown at all"
     verb = "determine" if len(conflict.equations) > 1 else "determines"
     told = _story(conflict)
-    most = LISTED if told.text else SHOWN
-    texts = listed([equation_with_place(e) for e in conflict.suspects[:most]])
-    more = len(conflict.suspects) - most
-    texts += f" and {more} more" if more > 0 else ""
+    texts = equations_with_places(conflict.suspects, LISTED if told.text else SHOWN)
     so = f"{told.text}, so that " if told.text else ""
     number = counted(len(conflict.equations), "equation")
     why = f"{counts}{conflict.circuit.inside}: {so}{number} {verb} {what}: "

@@ -38,7 +38,7 @@ def short_text(expression: Expr) -> str:
 
 
 def place(span: Span) -> str:
-    """`line 12`, with the file only where it helps: `Tank.mo:12`."""
+    """`Tank.mo:12`."""
     return f"{span.file}:{span.line}"
 
 
@@ -64,6 +64,12 @@ def listed(items: Sequence[str], shown: int = SHOWN) -> str:
     """`a, b, c and 4 more`."""
     more = f" and {len(items) - shown} more" if len(items) > shown else ""
     return ", ".join(items[:shown]) + more
+
+
+def equations_with_places(equations: Sequence[Equation], most: int = SHOWN) -> str:
+    """The first equations, as `equation_with_place` has them, and how many more there are."""
+    more = f" and {len(equations) - most} more" if len(equations) > most else ""
+    return ", ".join([equation_with_place(equation) for equation in equations[:most]]) + more
 
 
 def quoted(names: Sequence[str], last: str = "and", shown: int = SHOWN) -> str:

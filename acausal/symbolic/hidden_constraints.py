@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import isfinite
 
 from acausal.symbolic.alias import Simplified
 from acausal.symbolic.causal import CausalEquation
@@ -74,6 +75,8 @@ def _linear_sum(equation: CausalEquation, chains: Chains, known: Mapping[Expr, N
         number, term = split_factor(root)
         if term is not None and term.op in ("add", "neg"):
             stack.extend((sign * number, part) for part in reversed(term.args))
+        elif not isfinite(number):
+            return None
         elif term is None or not any(_is_open(leaf, chains, known) for leaf in all_leaves([term])):
             rest.append((sign * number, term))
         elif term.op in ("sym", "der"):

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from acausal.errors import Diagnostic
+from acausal.errors import Diagnostic, Span
 from acausal.lang.flat import Origin, Variable
 from acausal.symbolic.circuit import Circuit, connector_of
-from acausal.symbolic.describe import SHOWN, counted, equation_with_place, listed, quoted
+from acausal.symbolic.describe import SHOWN, counted, equations_with_places, listed, quoted
 from acausal.symbolic.graphs.dulmage_mendelsohn import Part, decompose
 from acausal.symbolic.graphs.matching import Matching
 from acausal.symbolic.graphs.types import Eq, Var
@@ -84,9 +84,7 @@ def explain_shortage(system: Structure, shortage: Shortage, code: str, counts: s
     if forgotten:
         return _unconnected(circuit, forgotten, code, counts)
     names, part = shortage.names, shortage.part
-    texts = listed([equation_with_place(system.equations[eq]) for eq in part.equations[:SHOWN]])
-    more = len(part.equations) - SHOWN
-    texts += f" and {more} more" if more > 0 else ""
+    texts = equations_with_places([system.equations[eq] for eq in part.equations])
     by = f"only {counted(len(part.equations), 'equation')}: {texts}" if texts else "no equation"
     why = f"{counts}{circuit.inside}: {counted(len(names), 'unknown')} ({listed(names)}) for {by}"
     hint = _hint(system, circuit, variables, len(part.variables) - len(part.equations))
@@ -100,7 +98,7 @@ def explain_shortage(system: Structure, shortage: Shortage, code: str, counts: s
     return result
 
 
-def _span(circuit: Circuit, variable: Variable):
+def _span(circuit: Circuit, variable: Variable) -> Span:
     """Where the level declares the component that holds the variable, or the variable itself."""
     return circuit.span_of(circuit.part_of_variable(variable.name), variable.span)
 
@@ -138,7 +136,9 @@ def _hint(system: Structure, circuit: Circuit, variables: list[Variable], number
     open_ = {connector_of(e.left.name) for e in system.equations if e.origin is Origin.UNCONNECTED}
     ends = [end for v in variables if (end := connector_of(v.name)) in open_]
     if ends:
-        return f"{add}, or connect {quoted(list(dict.fromkeys(ends)))}, which is connected to nothing"
+        loose = list(dict.fromkeys(ends))
+        which = "which is" if len(loose) == 1 else "which are"
+        return f"{add}, or connect {quoted(loose)}, {which} connected to nothing"
     flows = [connector_of(v.name) for v in variables if v.flow and connector_of(v.name)]
     if flows:
         return f"{add}, or connect {quoted(list(dict.fromkeys(flows)))}"

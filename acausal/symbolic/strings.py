@@ -36,7 +36,7 @@ def with_decided_strings(flat: FlatModel) -> FlatModel:
 
     Raises `UnsupportedProblem` where one of them is determined by the initial equations.
     """
-    texts = {v.name for v in flat.parameters if v.type == STRING}
+    texts = dict.fromkeys(v.name for v in flat.parameters if v.type == STRING)
     if not any(symbols([value]) for name in texts if (value := definition(flat.by_name[name])) is not None):
         return flat
     pending = [name for name in symbols(_read(flat)) if name in texts]

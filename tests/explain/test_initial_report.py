@@ -50,6 +50,12 @@ def test_motion_and_residuals(report: InitialReport) -> None:
     assert held.equation.flat.span.line == 9
 
 
+def test_residuals_are_relative_to_the_terms() -> None:
+    text = "model Root Real x(start = 1); equation 0 = x^3 + x*exp(x) - 2.3; end Root;"
+    (held,) = initial_report(acausal.loads(text).compile().code).held
+    assert 0 < held.residual < 1e-12
+
+
 def test_its_text_folds_what_is_alike(report: InitialReport) -> None:
     assert "\n  s[1:2] = 2\n" in report.text()
     assert "\n  s[1] = 2\n  s[2] = 2\n" in report.text(everything=True)

@@ -176,3 +176,20 @@ def test_a_thousand_events_a_second_none_missed_or_doubled(seconds: int) -> None
     assert result.statistics.events == 1000 * seconds
     times = result.time[1:][np.diff(result.time) == 0]
     assert times == pytest.approx((np.arange(1000 * seconds) + 0.5) * 1e-3, abs=1e-6 * seconds)
+
+
+@pytest.mark.skipif(compiler() is None, reason="no C compiler")
+def test_slopes_that_only_the_time_changes_keep_the_order() -> None:
+    model = acausal.loads("""
+model Driven "No state acts on another: the Jacobian has no entries"
+  Real x(start = 0, fixed = true);
+equation
+  der(x) = cos(time);
+end Driven;
+""").compile()
+    errors = [
+        abs(model.simulate(stop_time=2.0, interval=h, solver="rosenbrock").values("x")[-1] - math.sin(2.0))
+        for h in (0.02, 0.01)
+    ]
+    assert errors[0] == pytest.approx(4 * errors[1], rel=0.05)
+    assert model.simulate(stop_time=20.0, interval=20.0, solver="rodas").statistics.steps < 100

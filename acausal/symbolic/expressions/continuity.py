@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from acausal.symbolic.expressions.evaluate import EvaluationFailed, Lookup, NotConstant, evaluate
+from acausal.symbolic.expressions.evaluate import EvaluationFailed, Lookup, NotConstant, evaluate, number_of
 from acausal.symbolic.expressions.expr import (
     ZERO,
     Expr,
@@ -60,7 +60,7 @@ def _solve(difference: Expr, leaf: Expr, moves: Callable[[Expr], bool], values: 
     parts = linear_coefficient(difference, leaf)
     if parts is None or any(moves(other) for other in unknown_leaves(parts[0])):
         return None
-    slope = _number(parts[0], values)
+    slope = number_of(parts[0], values)
     return None if slope is None or slope == 0 else neg(div(parts[1], parts[0]))
 
 
@@ -83,7 +83,7 @@ def _size(expr: Expr, values: Lookup) -> float:
             return math.prod(args)
         if node.op in ("neg", "noEvent", "smooth"):
             return args[0]
-        value = _number(node, values)
+        value = number_of(node, values)
         return 0.0 if value is None else abs(value)
 
     return fold([expr], visit)[expr]
@@ -108,11 +108,3 @@ def _largest_factor(expr: Expr) -> float:
     """The largest literal factor of the terms of a sum: 0 only for zero."""
     terms = expr.args if expr.op == "add" else (expr,)
     return max(abs(split_factor(term)[0]) for term in terms)
-
-
-def _number(expr: Expr, values: Lookup) -> float | None:
-    try:
-        value = evaluate(expr, values)
-    except (NotConstant, EvaluationFailed):
-        return None
-    return float(value) if isinstance(value, int | float) else None

@@ -44,6 +44,15 @@ def evaluate(root: Expr, lookup: Lookup, memo: dict[Expr, Constant] | None = Non
     return values[root]
 
 
+def number_of(expr: Expr, lookup: Lookup) -> float | None:
+    """The value as a float; None where it is not known, or no number."""
+    try:
+        value = evaluate(expr, lookup)
+    except (NotConstant, EvaluationFailed):
+        return None
+    return float(value) if isinstance(value, int | float) else None
+
+
 def _missing(node: Expr, values: dict[Expr, Constant]) -> list[Expr]:
     if node.op != "if":
         return [arg for arg in reversed(parts(node)) if arg not in values]
