@@ -2,7 +2,7 @@
 
 NAME.h, NAME.c   the model: indices, tables, functions; `NAME_instance` is all memory that a run needs
 main.c, csv.*    the program for the command line; a shared library or an FMU would stand in its place
-runtime/         the fixed C run-time that runs inside Python use too
+runtime/         the fixed C run-time that runs inside Python use too, without their events: those are settle.c
 Makefile, README.md
 """
 
@@ -23,6 +23,9 @@ from acausal.runtime import build
 _UNITS = ("attach", "delay", "dense", "newton", "point", "run", "schedule", "settle", "start", "walk")
 _HOST = ("acausal_host.h", *(f"{unit}.c" for unit in _UNITS))
 _PROGRAM = ("csv.h", "csv.c", "main.c")
+
+_INSIDE_PYTHON = ("cruise.c", "cruise.h", "event.c", "event.h", "iterate.c", "judge.c")
+"""Files of the run-time that exports do without."""
 
 _TAKEN = frozenset(
     "main csv clean makefile readme runtime assert complex ctype errno fenv float inttypes iso646 "
@@ -45,7 +48,8 @@ def files(plan: Plan, name: str) -> dict[str, str]:
     for program in _PROGRAM:
         found[program] = _host_file(program).replace("MODEL", name)
     for file, text in build.run_time_sources().files.items():
-        found[f"runtime/{file}"] = text
+        if file not in _INSIDE_PYTHON:
+            found[f"runtime/{file}"] = text
     for file in _HOST:
         found[f"runtime/{file}"] = _host_file(file)
     found["Makefile"] = makefile(name, found)

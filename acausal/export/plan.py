@@ -291,7 +291,7 @@ def numbers_of(plan: Plan) -> int:
         *[parameters] * 3, inputs, modes, frozen, *[starts] * 3, states + guesses, plan.factors, slots,
         *[plan.widest] * 2, plan.largest * (NUMBERS_PER_BLOCK * plan.largest + 17), *[states] * 3, modes,
         states, modes, modes, frozen, modes, frozen, modes, frozen, modes, frozen,
-        *[frozen] * 3, *[located] * 3, 2 * states + guesses, *[modes] * 2, outputs, fired, *[samples] * 3,
+        *[frozen] * 3, modes, frozen, guesses, *[located] * 3, 2 * states + guesses, *[modes] * 2, outputs, fired, *[samples] * 3,
         len(system.zero_crossings) - located,
         plan.past, plan.past * 5 * len(system.delays), 6 * len(system.delays), states if system.delays else 0,
     ]  # fmt: skip
@@ -303,4 +303,4 @@ def ints_of(plan: Plan) -> int:
     """The same for whole numbers."""
     system = plan.code.system
     notices = len(system.assertions) + len(system.discrete.checks)
-    return plan.largest + 4 * len(system.zero_crossings) + notices
+    return plan.largest + 5 * len(system.zero_crossings) + notices

@@ -10,6 +10,7 @@ from acausal.export.tunables import kind_of
 from acausal.lang.flat import Assertion, Variable
 from acausal.runtime.binding import METHODS
 from acausal.simulate.messages import leaf_name
+from acausal.simulate.settle import is_whole
 from acausal.symbolic.causal import Residual
 from acausal.symbolic.describe import cut, equation_text
 from acausal.symbolic.expressions.expr import Expr
@@ -146,6 +147,7 @@ def _places(plan: Plan, tables: Tables) -> Iterator[_Field]:
         "judged": [
             int(leaf.args[0] in known or leaf.args[0].op not in ("sym", "der")) for leaf in part.memory
         ],
+        "whole": [int(is_whole(crossing)) for crossing in system.zero_crossings],
         "reset_state": [states[reset.state] for reset in part.resets],
         "suggested": [_suggested(leaf, starts) for leaf in part.frozen],
         "initial_x": plan.slots(code.initial, plan.state_leaves),

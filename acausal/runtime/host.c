@@ -1,4 +1,4 @@
-/* What only a host with an operating system has: a clock. Left out of exports. */
+/* What only a host with an operating system has: a clock. */
 #define _POSIX_C_SOURCE 199309L
 #include <time.h>
 

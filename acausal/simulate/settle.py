@@ -68,7 +68,7 @@ class Settling:
         self._met = np.zeros(len(self._ops), dtype=np.bool_)
         self._none = np.zeros(len(self._ops), dtype=np.bool_)
         self._instant = Instant(0.0, evaluator.x.copy(), ahead, self._none, np.zeros(len(self._ops)))
-        self._whole = np.array([_is_whole(crossing) for crossing in system.zero_crossings], bool)
+        self._whole = np.array([is_whole(crossing) for crossing in system.zero_crossings], bool)
         self._error: AcausalError | None = None
 
     def truth(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -301,7 +301,7 @@ class Settling:
         return False
 
 
-def _is_whole(crossing: ZeroCrossing) -> bool:
+def is_whole(crossing: ZeroCrossing) -> bool:
     """Whether it is one of the two that end what `integer(...)` holds."""
     return any(node.op == "integer" for node in postorder([crossing.relation]))
 

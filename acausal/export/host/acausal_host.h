@@ -64,6 +64,7 @@ typedef struct {
     const int *located_at;     /* modes whose roots are looked for */
     const int *above, *at_zero; /* of every mode: whether it holds for positive roots, and for zero */
     const int *judged;         /* of every remembered value: whether a change of it goes on with the event */
+    const int *whole;          /* of every mode: whether it watches an `integer(...)` */
     const int *reset_state;    /* which state each `reinit` sets */
     const int *suggested;      /* of every frozen value the start value it begins with, -1: zero, -2: one */
     ac_program initial, dynamic;
@@ -131,7 +132,8 @@ typedef struct {
     double time, next, ahead;
     double *x, *before_x, *event_x, *event_roots, *later, *wanted, *start_m, *start_d, *old_m, *old_d, *seen_m, *seen_d;
     double *before, *past, *values_d, *was_m, *was_d, *shift, *band, *reach, *probe, *side, *slack, *row, *fired;
-    int *crossed, *met, *disputed, *reached, *warned;
+    double *kept_m, *kept_d, *kept_guess; /* before the event, where it is settled anew */
+    int *crossed, *met, *released, *disputed, *reached, *warned;
     int anchored, undecided, recorded;
     double event_time, recorded_time;
     double *sample_start, *sample_interval, *sample_count, *instants;

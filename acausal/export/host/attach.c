@@ -69,6 +69,7 @@ static void model(ac_run *r, ac_pool *pool)
     m->outputs = plan->outputs;
     m->conditions = plan->assertions;
     m->entries = plan->entries;
+    m->takes_solution = plan->takes_solution;
     m->t = numbers(pool, 1);
     m->x = numbers(pool, plan->states);
     m->guess = numbers(pool, plan->guesses);
@@ -145,6 +146,9 @@ static void vectors(ac_run *r, ac_pool *pool)
                {&r->before, frozen},
                {&r->past, frozen},
                {&r->values_d, frozen},
+               {&r->kept_m, plan->modes},
+               {&r->kept_d, frozen},
+               {&r->kept_guess, plan->guesses},
                {&r->shift, plan->located},
                {&r->band, plan->located},
                {&r->reach, plan->located},
@@ -167,6 +171,7 @@ static void vectors(ac_run *r, ac_pool *pool)
     r->pivots = ints(pool, plan->largest);
     r->crossed = ints(pool, plan->modes);
     r->met = ints(pool, plan->modes);
+    r->released = ints(pool, plan->modes);
     r->disputed = ints(pool, plan->modes);
     r->reached = ints(pool, plan->modes);
     r->warned = ints(pool, plan->assertions + plan->checks);

@@ -9,8 +9,9 @@
 #define AHEAD 1e-9
 #define HELD 1e4
 #define ZENO_SHARE 1e-6
+#define RESOLVED 1e-8
 
-enum { BUDGET = 1000000000 };
+enum { BUDGET = 1000000000, SHRINKING = 24 };
 
 static size_t bytes(int n)
 {
@@ -168,27 +169,52 @@ static int closed(ac_run *r)
     return code == 0 ? met(r) : code;
 }
 
+/* The stop that was `count` stops before the last one. */
+static double stop_before(const ac_run *r, int count)
+{
+    return r->recent[(r->stops_seen - 1 - count) % AC_ZENO];
+}
+
+/* Whether the time between stops goes to zero like a geometric series, and has all but got there. */
+static int shrinks(const ac_run *r, double span)
+{
+    enum { PAIRS = SHRINKING - 2 };
+    if (r->stops_seen < SHRINKING) {
+        return 0;
+    }
+    double last = stop_before(r, 0) - stop_before(r, 2);
+    double first = stop_before(r, PAIRS - 1) - stop_before(r, PAIRS + 1);
+    if (!(last <= fmin(RESOLVED * fmin(span, 1.0), 1e-2 * first))) {
+        return 0;
+    }
+    for (int i = 0; i + 1 < PAIRS; i++) {
+        double later = stop_before(r, i) - stop_before(r, i + 2);
+        if (!(later <= stop_before(r, i + 1) - stop_before(r, i + 3))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Events that accumulate (Zeno) end the run. */
 static int guarded(ac_run *r, int happened)
 {
     double span = r->settings.stop_time - r->settings.start_time;
-    double *oldest = &r->recent[r->stops_seen % AC_ZENO];
     r->events += happened;
-    if (r->stops_seen >= AC_ZENO - 1) {
-        double first = r->recent[(r->stops_seen + 1) % AC_ZENO];
-        if (r->time - first <= ZENO_SHARE * span) {
-            const ac_notice none = {"discrete changes", "", 0};
-            const ac_notice *notice = &none;
-            for (int i = r->plan->modes - 1; i >= 0; i--) {
-                notice = r->was_m[i] != r->m[i] || r->crossed[i] != 0 ? &r->plan->crossing[i] : notice;
-            }
-            return ac_say(r, AC_FAILED, "events accumulate at time %.12g s: %d within %.3g s, the last by %s (%s)",
-                          r->time, AC_ZENO, r->time - first, notice->text, notice->place);
-        }
-    }
-    *oldest = r->time;
+    r->recent[r->stops_seen % AC_ZENO] = r->time;
     r->stops_seen++;
-    return 0;
+    int dense = r->stops_seen >= AC_ZENO && r->time - stop_before(r, AC_ZENO - 1) <= ZENO_SHARE * span;
+    if (!dense && !shrinks(r, span)) {
+        return 0;
+    }
+    const ac_notice none = {"discrete changes", "", 0};
+    const ac_notice *notice = &none;
+    for (int i = r->plan->modes - 1; i >= 0; i--) {
+        notice = r->was_m[i] != r->m[i] || r->crossed[i] != 0 ? &r->plan->crossing[i] : notice;
+    }
+    int count = dense ? AC_ZENO : SHRINKING;
+    return ac_say(r, AC_FAILED, "events accumulate at time %.12g s: the last %d within %.3g s, the last by %s (%s)",
+                  r->time, count, r->time - stop_before(r, count - 1), notice->text, notice->place);
 }
 
 /* An event at the present time: what changes, both sides of it in the results, and the integrator anew. */

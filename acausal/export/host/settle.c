@@ -1,10 +1,12 @@
 /* Event iteration: modes, discrete variables and continuous unknowns that agree right after an instant.
  *
  * Inner loop: continuous blocks, modes and discrete equations are evaluated in turn until nothing changes, with the
- * values before the event fixed. Where that goes round in circles, one mode at a time is changed (Murty's least-index
- * rule), and then every assignment of the modes in doubt is tried. Outer loop: in its first pass a located relation
- * has the value that its crossing gave it; then states are reset, what was found becomes the value before the event,
- * and the inner loop runs again, until that changes nothing (Modelica 3.6, appendix B). All is bounded. */
+ * values before the event fixed. Where that goes round in circles, a root that rests at exactly zero keeps its mode;
+ * then one mode at a time is changed (Murty's least-index rule), and then every assignment of the modes in doubt is
+ * tried. Outer loop: in its first pass a located relation has the value that its crossing gave it; then states are
+ * reset, what was found becomes the value before the event, and the inner loop runs again, until that changes nothing
+ * (Modelica 3.6, appendix B). Where all that fails, what is about to cross at the same instant has crossed, too. All is
+ * bounded. */
 #include <math.h>
 #include <string.h>
 
@@ -13,9 +15,11 @@
 #define BAND 1e-9
 #define NOISE 1e-14
 #define ROUNDING 1e-13
+#define FLAT 1e-15
 
 enum { ITERATIONS = 50, PER_MODE = 4, FOLLOWING = 10, TRIED = 10 };
 enum { SETTLED = 0, BROKEN = 1, CIRCLE = 2 };
+enum { CIRCLING = -30, BEYOND = 2 }; /* modes go round in circles; a crossing that goes against its root's way */
 
 static size_t bytes(int n)
 {
@@ -53,6 +57,19 @@ static void look(ac_run *r)
     }
 }
 
+/* Roots a moment later along the derivatives; the point is the present one again. */
+static void look_ahead(ac_run *r)
+{
+    for (int i = 0; i < r->plan->states; i++) {
+        r->later[i] = r->event_x[i] + r->ahead * r->model.xdot[i];
+    }
+    ac_at(r, r->event_time + r->ahead, r->later);
+    ac_solved(r);
+    r->model.roots[0] = NAN;
+    (void)ac_call(&r->model.events);
+    ac_at(r, r->event_time, r->event_x);
+}
+
 /* Whether a located root is too close to zero to say that its relation lost its mode: a root that is solved for has
  * the rounding of all that is solved with it. */
 static void close_ones(const ac_run *r, const double *roots, int *close)
@@ -88,7 +105,7 @@ static int judged(ac_run *r)
     for (int i = 0; i < plan->modes; i++) {
         double band = BAND * seen[plan->modes + i];
         int crossed = r->crossed[i] != 0;
-        int kept = crossed && r->anchored;
+        int kept = crossed && r->anchored && !r->released[i];
         if (kept) {
             r->wanted[i] = r->m[i];
         }
@@ -100,13 +117,9 @@ static int judged(ac_run *r)
     if (!near) {
         return 0;
     }
-    for (int i = 0; i < plan->states; i++) {
-        r->later[i] = r->event_x[i] + r->ahead * r->model.xdot[i];
-    }
-    ac_at(r, r->event_time + r->ahead, r->later);
-    look(r);
+    look_ahead(r);
     for (int i = 0; i < plan->modes; i++) {
-        if (!r->met[i] || (r->crossed[i] && r->anchored)) {
+        if (!r->met[i] || (r->crossed[i] && r->anchored && !r->released[i])) {
             continue;
         }
         if (fabs(roots[i] - seen[i]) > NOISE * seen[plan->modes + i]) {
@@ -116,8 +129,36 @@ static int judged(ac_run *r)
             r->wanted[i] = r->m[i];
         }
     }
-    ac_at(r, r->event_time, r->event_x);
     return 0;
+}
+
+/* Releases crossings that go against the way that their root goes here: artefacts of a step below the tolerance. So a
+ * ball that has just been thrown up is seen to fall, where one step covers its whole flight. */
+static void against(ac_run *r, const int *crossed)
+{
+    const ac_plan *plan = r->plan;
+    const double *roots = r->model.roots;
+    double *seen = r->values;
+    int near = 0;
+    memcpy(seen, roots, bytes(plan->modes));
+    for (int k = 0; k < plan->located; k++) {
+        int i = plan->located_at[k];
+        r->reached[i] = crossed[i] != 0 && fabs(seen[i]) <= BAND * r->band[k];
+        near |= r->reached[i];
+    }
+    if (!near) {
+        return;
+    }
+    look_ahead(r);
+    for (int k = 0; k < plan->located; k++) {
+        int i = plan->located_at[k];
+        double change = roots[i] - seen[i];
+        int back = (change > 0.0 && crossed[i] < 0) || (change < 0.0 && crossed[i] > 0);
+        if (r->reached[i] && back && !(fabs(change) <= FLAT * r->band[k])) {
+            r->released[i] = BEYOND;
+        }
+    }
+    look(r);
 }
 
 /* The discrete equations, once, with the present modes; 0 or AC_FAILED. */
@@ -259,6 +300,7 @@ static int tried(ac_run *r)
             for (int k = 0; k < count; k++) {
                 r->m[which[k]] = (double)(choice >> (count - 1 - k) & 1);
             }
+            r->model.settled = 0;
             if (is_consistent(r, which, count, choice)) {
                 return 1;
             }
@@ -272,7 +314,7 @@ static int circling(ac_run *r)
     const ac_plan *plan = r->plan;
     for (int i = 0; i < plan->modes; i++) {
         if (r->disputed[i]) {
-            return ac_say(r, AC_FAILED, "conditions switch back and forth at time %.12g s and do not settle: %s (%s)",
+            return ac_say(r, CIRCLING, "conditions switch back and forth at time %.12g s and do not settle: %s (%s)",
                           r->event_time, plan->crossing[i].text, plan->crossing[i].place);
         }
     }
@@ -288,6 +330,7 @@ static int circling(ac_run *r)
 /* The inner loop. */
 static int agreed(ac_run *r)
 {
+    static const int ways[3][2] = {{0, 0}, {0, 1}, {1, 0}}; /* one mode at a time; whether rest at zero is undecided */
     const ac_plan *plan = r->plan;
     int found = SETTLED;
     if (plan->modes == 0 && plan->frozen == 0) {
@@ -296,8 +339,10 @@ static int agreed(ac_run *r)
     r->first[0] = '\0';
     memset(r->disputed, 0, (size_t)plan->modes * sizeof(int));
     note(r, r->start_m, r->start_d);
-    for (int one_by_one = 0; one_by_one <= 1; one_by_one++) {
-        found = iterated(r, one_by_one);
+    for (int i = 0; i < 3; i++) {
+        r->undecided = ways[i][1];
+        found = iterated(r, ways[i][0]);
+        r->undecided = 0;
         if (found == SETTLED) {
             return 0;
         }
@@ -312,7 +357,7 @@ static int agreed(ac_run *r)
     return fine ? 0 : circling(r);
 }
 
-/* Notes checks and stops that are met, and resets states; whether any was reset. */
+/* Notes checks and stops that are met, and resets states; whether any was reset, AC_FAILED where one is no number. */
 static int acted(ac_run *r)
 {
     const ac_plan *plan = r->plan;
@@ -336,6 +381,11 @@ static int acted(ac_run *r)
         }
     }
     for (int i = 0; i < n; i++) {
+        const char *name = plan->state[plan->reset_state[i]].name;
+        if (values[i] != 0.0 && !isfinite(values[n + i])) {
+            return ac_say(r, AC_FAILED, "reinit(%s, ...) gives %.6g at time %.12g s", name, values[n + i],
+                          r->event_time);
+        }
         if (values[i] != 0.0) {
             r->event_x[plan->reset_state[i]] = values[n + i];
             any = 1;
@@ -352,8 +402,11 @@ static int arrived(ac_run *r, const int *crossed)
 {
     const ac_plan *plan = r->plan;
     r->anchored = 0;
-    memset(r->crossed, 0, (size_t)plan->modes * sizeof(int));
-    memset(r->met, 0, (size_t)plan->modes * sizeof(int));
+    r->undecided = 0;
+    for (int i = 0; i < plan->modes; i++) {
+        r->crossed[i] = r->met[i] = crossed != NULL && crossed[i] != 0;
+        r->released[i] = plan->whole[i];
+    }
     if (crossed == NULL) {
         return 0;
     }
@@ -362,12 +415,11 @@ static int arrived(ac_run *r, const int *crossed)
         return code;
     }
     look(r);
+    against(r, crossed);
     memcpy(r->event_roots, r->model.roots, bytes(plan->modes));
     r->anchored = plan->frozen > 0;
     for (int i = 0; i < plan->modes; i++) {
-        r->crossed[i] = crossed[i] != 0;
-        r->met[i] = r->crossed[i];
-        if (crossed[i] != 0) {
+        if (crossed[i] != 0 && r->released[i] != BEYOND) {
             r->m[i] = (double)(plan->above[i] ? crossed[i] > 0 : crossed[i] < 0);
         }
     }
@@ -375,9 +427,7 @@ static int arrived(ac_run *r, const int *crossed)
     return 0;
 }
 
-/* Iterates to a fixed point at this instant; the states after it are in `x`. `crossed` marks the roots that brought
- * the solver here. */
-int ac_settle(ac_run *r, double time, double *x, const int *crossed)
+static int settled(ac_run *r, double time, double *x, const int *crossed)
 {
     const ac_plan *plan = r->plan;
     memset(r->fired, 0, bytes(plan->checks + plan->stops));
@@ -395,7 +445,11 @@ int ac_settle(ac_run *r, double time, double *x, const int *crossed)
             return code;
         }
         r->anchored = 0;
-        again |= acted(r);
+        int reset = acted(r);
+        if (reset < 0) {
+            return reset;
+        }
+        again |= reset;
         memcpy(r->past, r->d + plan->unknowns, bytes(plan->memory));
         ac_remember(r);
         for (int k = 0; k < plan->memory; k++) {
@@ -414,4 +468,45 @@ int ac_settle(ac_run *r, double time, double *x, const int *crossed)
     }
     return ac_say(r, AC_FAILED, "the event at time %.12g s does not end: states are reset in each of %d iterations",
                   time, ITERATIONS);
+}
+
+/* `crossed` with what is zero at this instant and crosses next, into `disputed`; 0 if there is no more. */
+static int crossing(ac_run *r, double time, const double *x, const int *crossed)
+{
+    const ac_plan *plan = r->plan;
+    int any = 0;
+    memcpy(r->event_x, x, bytes(plan->states));
+    ac_at(r, time, x);
+    (void)arrived(r, NULL);
+    if (ac_settled(r) != 0 || judged(r) != 0) {
+        return 0;
+    }
+    for (int i = 0; i < plan->modes; i++) {
+        int known = crossed != NULL ? crossed[i] : 0;
+        int more = known == 0 && r->reached[i] && r->wanted[i] != r->m[i];
+        int rising = plan->above[i] == (r->wanted[i] != 0.0);
+        r->disputed[i] = !more ? known : rising ? 1 : -1;
+        any |= more;
+    }
+    return any;
+}
+
+/* Iterates to a fixed point at this instant; the states after it are in `x`. `crossed` marks the roots that brought
+ * the solver here. Where modes go round in circles, what else is zero and about to cross has crossed, too. */
+int ac_settle(ac_run *r, double time, double *x, const int *crossed)
+{
+    const ac_plan *plan = r->plan;
+    memcpy(r->kept_m, r->m, bytes(plan->modes));
+    memcpy(r->kept_d, r->d, bytes(plan->frozen));
+    memcpy(r->kept_guess, r->model.guess, bytes(plan->guesses));
+    int code = settled(r, time, x, crossed);
+    if (code == CIRCLING && plan->frozen > 0) {
+        memcpy(r->m, r->kept_m, bytes(plan->modes));
+        memcpy(r->d, r->kept_d, bytes(plan->frozen));
+        memcpy(r->model.guess, r->kept_guess, bytes(plan->guesses));
+        if (crossing(r, time, x, crossed)) {
+            code = settled(r, time, x, r->disputed);
+        }
+    }
+    return code == CIRCLING ? AC_FAILED : code;
 }
