@@ -2,7 +2,7 @@
 
 NAME.h, NAME.c   the model: indices, tables, functions; `NAME_instance` is all memory that a run needs
 main.c, csv.*    the program for the command line; a shared library or an FMU would stand in its place
-runtime/         the fixed C run-time that runs inside Python use too, without their events: those are settle.c
+runtime/         the fixed C run-time that runs inside Python use too; its events are those of settle.c
 Makefile, README.md
 """
 

@@ -71,10 +71,19 @@ def compiled(text: str) -> CompiledModel:
     return loads(text).compile()
 
 
-def differences(model: CompiledModel, package: Built, solver: str, step: float) -> float:
+def differences(
+    model: CompiledModel,
+    package: Built,
+    solver: str,
+    step: float,
+    *,
+    stop: float | None = None,
+    interval: float | None = None,
+) -> float:
     """The largest difference between both runs, relative to the size of each variable; times are equal."""
-    names, data = package.rows()
-    result = model.simulate(solver=solver, step=step)
+    given = [("--stop", stop), ("--interval", interval)]
+    names, data = package.rows(*(word for name, v in given if v is not None for word in (name, repr(v))))
+    result = model.simulate(solver=solver, step=step, stop_time=stop, interval=interval)
     reference = np.column_stack([result.time, *(result.values(name) for name in names[1:])])
     assert reference.shape == data.shape
     assert np.array_equal(reference[:, 0], data[:, 0])

@@ -212,9 +212,12 @@ static int guarded(ac_run *r, int happened)
     for (int i = r->plan->modes - 1; i >= 0; i--) {
         notice = r->was_m[i] != r->m[i] || r->crossed[i] != 0 ? &r->plan->crossing[i] : notice;
     }
-    int count = dense ? AC_ZENO : SHRINKING;
-    return ac_say(r, AC_FAILED, "events accumulate at time %.12g s: the last %d within %.3g s, the last by %s (%s)",
-                  r->time, count, r->time - stop_before(r, count - 1), notice->text, notice->place);
+    if (dense) {
+        return ac_say(r, AC_FAILED, "events accumulate at time %.12g s: %d within %.3g s, the last by %s (%s)", r->time,
+                      AC_ZENO, r->time - stop_before(r, AC_ZENO - 1), notice->text, notice->place);
+    }
+    return ac_say(r, AC_FAILED, "events accumulate at time %.12g s: they are only %.3g s apart, the last by %s (%s)",
+                  r->time, r->time - stop_before(r, 1), notice->text, notice->place);
 }
 
 /* An event at the present time: what changes, both sides of it in the results, and the integrator anew. */
