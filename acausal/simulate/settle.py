@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.errors import AcausalError, Diagnostic, SimulationProblem
+from acausal.simulate.cycle_hints import cycle_hint, endless_hint
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.event_errors import bad_reset, no_value
 from acausal.simulate.events import Instant, against, crossed_modes, operators, wanted_modes
@@ -218,7 +219,7 @@ class Settling:
         if self._error is not None and len(circle) == 1:
             raise self._error
         if not self._try_all(circle):
-            raise _cycle(evaluator.code.system, circle, self._instant.time)
+            raise _cycle(evaluator, circle, self._instant.time)
 
     def _iterate(self, one_by_one: bool) -> list[Switched]:
         """Until nothing changes: nothing; what came round again, or the place of an error, otherwise."""
@@ -311,10 +312,10 @@ def _is_discrete(op: str, is_known: bool) -> bool:
     return is_known or op not in ("sym", "der")
 
 
-def _cycle(system: CausalSystem, circle: list[Switched], time: float) -> AcausalError:
-    crossings = [
-        c for c, changes in zip(system.zero_crossings, moving([s.m for s in circle]), strict=True) if changes
-    ]
+def _cycle(evaluator: Evaluator, circle: list[Switched], time: float) -> AcausalError:
+    system = evaluator.code.system
+    switching = moving([s.m for s in circle])
+    crossings = [c for c, changes in zip(system.zero_crossings, switching, strict=True) if changes]
     frozen = zip(system.discrete.assignments, moving([s.d for s in circle]), strict=False)
     discrete = [a for a, changes in frozen if changes]
     if not crossings:
@@ -322,7 +323,7 @@ def _cycle(system: CausalSystem, circle: list[Switched], time: float) -> Acausal
     texts = some([crossing_text(crossing) for crossing in crossings])
     names = [*symbols([c.relation for c in crossings]), *(leaf_name(a.unknown) for a in discrete)]
     message = f"the conditions {texts} switch back and forth {at(time)} and do not settle"
-    hint = "the solution slides along the switching point: use a hysteresis or a continuous characteristic"
+    hint = cycle_hint(evaluator, circle, switching, [a.unknown for a in discrete])
     return SimulationProblem(
         Diagnostic("simulate.mode-cycle", message, crossings[0].span, tuple(dict.fromkeys(names)), hint)
     )
@@ -346,6 +347,6 @@ def _circling(system: CausalSystem, leaves: Sequence[Expr], time: float) -> Acau
     message = (
         f"the event {at(time)} does not end: {some(texts)} changed in each of {MAX_ITERATIONS} iterations"
     )
-    hint = "an equation contradicts its own value before the event, as `b = not pre(b)` does"
+    hint = endless_hint([a for a in system.discrete.assignments if a.unknown in leaves])
     span = spans[0] if spans else system.flat.span
     return SimulationProblem(Diagnostic("simulate.event-iteration", message, span, names, hint))

@@ -127,6 +127,7 @@ def test_sliding_is_an_error_that_names_the_condition() -> None:
         simulate(code)
     assert caught.value.codes == ("simulate.mode-cycle",)
     assert caught.value.diagnostics[0].names == ("x",)
+    assert "slides" in (caught.value.diagnostics[0].hint or "")
 
 
 def test_zeno_is_an_error_that_names_the_conditions() -> None:

@@ -156,6 +156,33 @@ def test_an_event_without_end_names_its_variable() -> None:
     assert caught.value.diagnostics[0].names == ("b",)
 
 
+@pytest.mark.parametrize(
+    ("text", "code", "hint"),
+    [
+        (
+            "when x > 0.5 then i = j + 1; end when; when x > 0.5 then j = i + 1; end when;",
+            "event-iteration",
+            "pre(j)",
+        ),
+        (
+            "y = x - i; when y > 0.5 then i = j + 1; end when; when y < 0.2 then j = i + 1; end when;",
+            "mode-cycle",
+            "pre(i)",
+        ),
+        ("y = if y > 0.5 then x - 1 else x; i = 0; j = 0;", "mode-cycle", "without a jump"),
+    ],
+)
+def test_the_hint_fits_what_goes_round(text: str, code: str, hint: str) -> None:
+    declared = (
+        "Real x(start = 0, fixed = true), y; Integer i(start = 0, fixed = true), j(start = 0, fixed = true);"
+    )
+    rest = "" if "y =" in text else "y = x;"
+    with pytest.raises(SimulationProblem) as caught:
+        run(f"{declared} equation der(x) = 1; {rest} {text}", 1.0)
+    assert caught.value.codes == (f"simulate.{code}",)
+    assert hint in (caught.value.diagnostics[0].hint or "")
+
+
 def test_whole_numbers_change_both_ways() -> None:
     result = run(
         """Real x = 3*sin(time); Real low, up, whole, turned;
