@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from acausal.lang import ast
-from acausal.lang.arithmetic import type_error
+from acausal.lang.connection_errors import different_sizes
 from acausal.lang.connection_nodes import connector_side
 from acausal.lang.connections import ConnectionSets, connect
 from acausal.lang.instance import Absent, leaves
@@ -20,9 +20,14 @@ def add_connection(
     if any(isinstance(member, Absent) for side in (left, right) for member in side.members):
         return  # a conditional component that is not there takes its connections along (4.4.5)
     if left.shape != right.shape:
-        sides = f"`{print_expression(node.left)}` and `{print_expression(node.right)}`"
-        message = f"{sides} have different sizes: {list(left.shape)} and {list(right.shape)}"
-        raise type_error("connect.mismatch", message, node.span, "", (node.left.text, node.right.text))
+        if left.members and right.members:  # if connectors differ in kind, that comes first
+            trial = ConnectionSets(in_buses=sets.in_buses)
+            connect(trial, (left.members[0], left.inside), (right.members[0], right.inside), node.span, "")
+        raise different_sizes(
+            (node.left.text, print_expression(node.left), left.shape),
+            (node.right.text, print_expression(node.right), right.shape),
+            node.span,
+        )
     for side in (left, right):
         if side.hidden:
             sets.hidden.update([leaf.path for member in side.members for leaf in leaves(member)])

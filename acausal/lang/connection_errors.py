@@ -50,6 +50,26 @@ def mismatch(a: Member, b: Member, span: Span, why: str) -> AcausalError:
     )
 
 
+def different_sizes(
+    left: tuple[str, str, tuple[int, ...]], right: tuple[str, str, tuple[int, ...]], span: Span
+) -> AcausalError:
+    """The error for sides of different sizes; each is its name, its text and its size."""
+    (a, a_text, a_shape), (b, b_text, b_shape) = left, right
+    hint = "connect one element with one element, in a `for` loop for example"
+    for text, shape, other in ((a_text, a_shape, b_shape), (b_text, b_shape, a_shape)):
+        if not other and len(shape) == 1 and shape[0] > 0:
+            elements = f"`{text}[1]`" if shape[0] == 1 else f"`{text}[1]` to `{text}[{shape[0]}]`"
+            hint = f"connect one of its elements: {elements}"
+    return fail(
+        TypeProblem,
+        "connect.mismatch",
+        f"`{a_text}` and `{b_text}` have different sizes: {list(a_shape)} and {list(b_shape)}",
+        span,
+        names=[a, b],
+        hint=hint,
+    )
+
+
 def two_sources(first: str, second: str, span: Span) -> AcausalError:
     """The error for a signal that comes from two places."""
     return fail(

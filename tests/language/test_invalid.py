@@ -33,6 +33,16 @@ def test_every_code_is_a_dotted_word() -> None:
         assert word.replace("-", "").isalpha()
 
 
+@pytest.mark.parametrize(
+    ("other", "hint"),
+    [("", "one of its elements: `a[1]` to `a[2]`"), ("[1]", "in a `for` loop"), ("[3]", "in a `for` loop")],
+)
+def test_connected_sizes_are_explained(other: str, hint: str) -> None:
+    pin = "connector Pin Real v; flow Real i; end Pin;"
+    found = diagnostics(f"{pin} model Test Pin a[2]; Pin b{other}; equation connect(a, b); end Test;")
+    assert hint in found[0].hint
+
+
 def deep_components(levels: int) -> str:
     """`M1` holds an `M0`, `M2` an `M1`, ..."""
     classes = ["model M0\n  Real x = 1;\nend M0;"]

@@ -1,4 +1,4 @@
-// error: connect.mismatch line 10 names a, b
+// error: connect.mismatch line 10 names a, b says different sizes: [2] and []
 connector Pin
   Real v;
   flow Real i;
