@@ -41,13 +41,13 @@ def cycle_hint(
 def endless_hint(assignments: Sequence[Assignment]) -> str:
     """For values that change in every iteration: whether their equations need one another's results."""
     needs = {a.unknown: all_leaves([a.value]) for a in assignments}
-    uses = {leaf: [other for other in needs if other in leaves] for leaf, leaves in needs.items()}
+    uses = {leaf: [other for other in leaves if other in needs] for leaf, leaves in needs.items()}
     for first, used in uses.items():
-        reached, waiting = list[Expr](), [*used]
+        reached, waiting = dict[Expr, None](), [*used]
         while waiting:
             leaf = waiting.pop()
             if leaf not in reached:
-                reached.append(leaf)
+                reached[leaf] = None
                 waiting += uses[leaf]
         others = [leaf for leaf in reached if leaf != first]
         if first in reached and others:
