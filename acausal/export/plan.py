@@ -291,8 +291,8 @@ def numbers_of(plan: Plan) -> int:
         *[parameters] * 3, inputs, modes, frozen, *[starts] * 3, states + guesses, plan.factors, slots,
         *[plan.widest] * 2, plan.largest * (NUMBERS_PER_BLOCK * plan.largest + 17), *[states] * 3, modes,
         states, modes, modes, frozen, modes, frozen, modes, frozen, modes, frozen,
-        *[frozen] * 3, modes, frozen, guesses, *[located] * 3, 2 * states + guesses, *[modes] * 2, outputs,
-        fired, *[samples] * 3, len(system.zero_crossings) - located,
+        *[frozen] * 3, 2 * modes, modes, frozen, guesses, *[located] * 3, 2 * states + guesses,
+        *[modes] * 2, outputs, fired, *[samples] * 3, len(system.zero_crossings) - located,
         plan.past, plan.past * 5 * len(system.delays), 6 * len(system.delays), states if system.delays else 0,
     ]  # fmt: skip
     model = 1 + 3 * states + 2 * guesses + code.pattern.nnz() + 2 * modes + outputs + asserted

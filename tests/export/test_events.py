@@ -11,6 +11,7 @@ from acausal.export.c_export import export_c
 from tests.export.packages import compiled, differences, exported, needs_compiler
 from tests.simulate.test_converters import LEG, LIBRARY
 from tests.simulate.test_events_in_c import SLIDER
+from tests.simulate.test_jumps import OSCILLATOR
 from tests.simulate.test_simultaneous_events import SAMPLED, TOGETHER
 
 SWITCHES = f"{LIBRARY}{LEG}end P; model Leg extends P.Leg; end Leg;"
@@ -40,6 +41,17 @@ def test_events_come_out_as_in_python(case: str, tmp_path: Path) -> None:
     model = compiled(text)
     package = exported(model, tmp_path, solver=solver, step=step)
     assert differences(model, package, solver, step, stop=stop, interval=stop / 200) == 0.0
+
+
+@needs_compiler
+def test_branches_are_kept_to_their_end_and_a_jump_is_told(tmp_path: Path) -> None:
+    model = compiled(OSCILLATOR)
+    flags = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    package = exported(model, tmp_path, *flags, solver="heun", step=1e-3)
+    assert differences(model, package, "heun", 1e-3, stop=2.5, interval=0.01) < 1e-9
+    said = package.run("--stop", "2.5").stderr
+    assert said.count("warning: ") == 1
+    assert "another one was taken: z from 1.0" in said
 
 
 @needs_compiler

@@ -132,6 +132,7 @@ typedef struct {
     double time, next, ahead;
     double *x, *before_x, *event_x, *event_roots, *later, *wanted, *start_m, *start_d, *old_m, *old_d, *seen_m, *seen_d;
     double *before, *past, *values_d, *was_m, *was_d, *shift, *band, *reach, *probe, *side, *slack, *row, *fired;
+    double *seen_roots;
     double *kept_m, *kept_d, *kept_guess; /* before the event, where it is settled anew */
     int *crossed, *met, *released, *disputed, *reached, *warned;
     int anchored, undecided, recorded;
@@ -144,7 +145,7 @@ typedef struct {
     double recent[AC_ZENO];
     ac_long stops_seen, events, warnings;
     double longest;
-    int ended;
+    int ended, jumped;
     char message[AC_MESSAGE], first[AC_MESSAGE];
 } ac_run;
 
@@ -177,7 +178,7 @@ void ac_solved(ac_run *r);
 int ac_point(ac_run *r, ac_entry entry, double *result);
 int ac_from(ac_run *r, ac_entry entry, const double *a, const double *b, double *result, double *second);
 int ac_walk(ac_run *r, const ac_program *program, const double *guess, int initial);
-int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal);
+int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal, int initial);
 int ac_residual(ac_run *r, const ac_segment *s, const double *z, double *residual, double *matrix);
 int ac_same(const double *a, const double *b, int n);
 void ac_literal(const ac_plan *plan, const double *roots, double *modes);

@@ -146,6 +146,7 @@ static void vectors(ac_run *r, ac_pool *pool)
                {&r->before, frozen},
                {&r->past, frozen},
                {&r->values_d, frozen},
+               {&r->seen_roots, 2 * plan->modes},
                {&r->kept_m, plan->modes},
                {&r->kept_d, frozen},
                {&r->kept_guess, plan->guesses},

@@ -13,6 +13,8 @@
 #define LONGEST 1e8
 
 enum { MOST = 500, HALVINGS = 40, ESCAPES = 4, STARTS = 9 };
+enum { BRIEF = 15, STALE = 4 }; /* with that limit, iterations that gain less than half in so many are given up */
+enum { LOOKS = 120, BISECTIONS = 200, POINTS = 33 };
 
 typedef struct {
     double *z, *r, *j, *columns, *rows;
@@ -194,11 +196,17 @@ static int escaped(ac_search_of *f, int escapes)
     return 1;
 }
 
-static int iterated(ac_search_of *f)
+static int iterated(ac_search_of *f, int most)
 {
     int escapes = 0;
-    for (int iteration = 0; iteration < MOST; iteration++) {
+    double course[STALE] = {0};
+    for (int iteration = 0; iteration < most; iteration++) {
         double off = worst(f);
+        double earlier = course[iteration % STALE];
+        if (most == BRIEF && iteration >= STALE && off > 0.5 * earlier) {
+            return 0;
+        }
+        course[iteration % STALE] = off;
         int done = off <= CONVERGED;
         if (done && is_solution(f)) {
             return 1;
@@ -226,8 +234,81 @@ static double *take(double **from, int count)
     return start;
 }
 
-/* Drives the block's residuals to zero from `z` on; the known values are in `r->known`. 1 where that was possible. */
-int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal)
+/* The residual of a block of one unknown, and its slope. */
+static double value(const ac_search_of *f, double z)
+{
+    f->trial.z[0] = z;
+    (void)ac_residual(f->run, f->s, f->trial.z, f->trial.r, f->trial.j);
+    return f->trial.r[0];
+}
+
+/* Where the sign changes between a and b. */
+static double halved(const ac_search_of *f, double a, double at_a, double b)
+{
+    for (int i = 0; i < BISECTIONS; i++) {
+        double middle = 0.5 * (a + b);
+        if (middle == a || middle == b) {
+            break;
+        }
+        if ((value(f, middle) > 0.0) == (at_a > 0.0)) {
+            a = middle;
+        } else {
+            b = middle;
+        }
+    }
+    return 0.5 * (a + b);
+}
+
+/* One unknown: the nearest change of sign on either side of `origin` that is a solution. */
+static int bracketed(ac_search_of *f, double origin)
+{
+    double end[2] = {origin, origin};
+    double at_end[2] = {value(f, origin), value(f, origin)};
+    double step = 1e-6 * fmax(f->nominal[0], fabs(origin));
+    for (int i = 0; i < 2 * LOOKS; i++) {
+        int side = i % 2;
+        double before = end[side];
+        double at_before = at_end[side];
+        double z = origin + (side == 0 ? step : -step);
+        double at_z = value(f, z);
+        end[side] = z;
+        at_end[side] = at_z;
+        if (isfinite(at_before) && isfinite(at_z) && (at_before > 0.0) != (at_z > 0.0)) {
+            double middle = halved(f, before, at_before, z);
+            int found = first(f, &middle) && iterated(f, MOST);
+            if (found && fmin(before, z) <= f->now.z[0] && f->now.z[0] <= fmax(before, z)) {
+                return 1;
+            }
+        }
+        step *= side == 1 ? 1.5 : 1.0;
+    }
+    return 0;
+}
+
+/* Whether the slope has both signs between two values: a fold lies between them. */
+static int turns(const ac_search_of *f, double from, double to)
+{
+    double least = 0.0;
+    for (int pass = 0, up = 0, down = 0; pass < 2; pass++) {
+        for (int i = 0; i < POINTS; i++) {
+            (void)value(f, from + (to - from) * i / (POINTS - 1));
+            double slope = f->trial.j[0];
+            if (pass == 0 && isfinite(slope)) {
+                least = fmax(least, 1e-9 * fabs(slope));
+            }
+            up |= pass == 1 && slope > least;
+            down |= pass == 1 && slope < -least;
+        }
+        if (up && down) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Drives the block's residuals to zero from `z` on; the known values are in `r->known`. 1 where that was possible, 2
+ * where the branch of solutions ended and another one was taken, as it may be in a run. */
+int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal, int initial)
 {
     int n = s->tearing;
     double *from = r->block;
@@ -249,10 +330,14 @@ int ac_newton(ac_run *r, const ac_segment *s, double *z, const double *nominal)
     f.size = take(&from, n);
     f.matrix = take(&from, n * n);
     f.work = from;
-    if (!first(&f, z)) {
+    int looks = n == 1 && !initial; /* looking around is better then */
+    int found = first(&f, z) && iterated(&f, looks ? BRIEF : MOST);
+    if (!found && looks && bracketed(&f, z[0])) {
+        double solution = f.now.z[0];
+        found = turns(&f, z[0], solution) ? 2 : 1;
+    } else if (!found) {
         return 0;
     }
-    int found = iterated(&f);
     memcpy(z, f.now.z, (size_t)n * sizeof(double));
     return found;
 }

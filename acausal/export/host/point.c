@@ -84,14 +84,44 @@ static int differences(ac_run *r)
     return code;
 }
 
+/* The running program from the present point on. */
+static int walked(ac_run *r)
+{
+    const ac_plan *plan = r->plan;
+    const struct {
+        const double *from;
+        int count;
+    } groups[6] = {{r->model.t, 1},       {r->model.x, plan->states},                 {r->p, plan->parameters},
+                   {r->m, plan->modes},   {r->u, plan->inputs + plan->delays},        {r->d, plan->frozen}};
+    double *to = r->values;
+    for (int i = 0; i < 6; i++) {
+        memcpy(to, groups[i].from, (size_t)groups[i].count * sizeof(double));
+        to += groups[i].count;
+    }
+    return ac_walk(r, &plan->dynamic, r->model.guess, 0);
+}
+
 /* Derivatives (0) or slopes (1) where the functions for integrators give no numbers. */
 int ac_rescue(void *owner, int what)
 {
     ac_run *r = owner;
-    if (what == 0 && r->plan->robust == NULL) {
-        return 1; /* it has been tried */
+    const ac_plan *plan = r->plan;
+    if (what != 0) {
+        return differences(r);
     }
-    return what == 0 ? robust(r) : differences(r);
+    if (plan->robust != NULL && robust(r) == 0) {
+        return 0; /* without it that has been tried */
+    }
+    if (walked(r) != 0) {
+        return 1;
+    }
+    for (int i = 0; i < plan->guesses; i++) {
+        r->model.z[i] = r->values[plan->dynamic_z[i]];
+    }
+    for (int i = 0; i < plan->states; i++) {
+        r->model.xdot[i] = r->values[plan->dynamic_xdot[i]];
+    }
+    return 0;
 }
 
 /* Derivatives and solutions of blocks at the present point; 1 where all are finite. What was found is the next
@@ -132,23 +162,6 @@ void ac_rates(ac_run *r)
     if (r->model.guesses == 0 || !r->model.settled) {
         (void)ac_evaluate(r);
     }
-}
-
-/* The running program from the present point on. */
-static int walked(ac_run *r)
-{
-    const ac_plan *plan = r->plan;
-    const struct {
-        const double *from;
-        int count;
-    } groups[6] = {{r->model.t, 1},       {r->model.x, plan->states},                 {r->p, plan->parameters},
-                   {r->m, plan->modes},   {r->u, plan->inputs + plan->delays},        {r->d, plan->frozen}};
-    double *to = r->values;
-    for (int i = 0; i < 6; i++) {
-        memcpy(to, groups[i].from, (size_t)groups[i].count * sizeof(double));
-        to += groups[i].count;
-    }
-    return ac_walk(r, &plan->dynamic, r->model.guess, 0);
 }
 
 /* Makes sure that the blocks are solved here, with the robust solver if need be; else says what fails. */

@@ -308,7 +308,7 @@ static void begun(ac_run *r)
     r->ahead = AHEAD * (settings->stop_time > settings->start_time ? settings->stop_time - settings->start_time : 1.0);
     r->past_first = r->past_count = 0;
     r->stops_seen = r->events = r->warnings = 0;
-    r->ended = r->recorded = r->anchored = r->undecided = 0;
+    r->ended = r->jumped = r->recorded = r->anchored = r->undecided = 0;
     r->longest = 0.0;
     r->message[0] = '\0';
     memset(r->warned, 0, (size_t)(r->plan->assertions + r->plan->checks) * sizeof(int));

@@ -89,7 +89,7 @@ static int judged(ac_run *r)
 {
     const ac_plan *plan = r->plan;
     const double *roots = r->model.roots;
-    double *seen = r->values; /* roots and then sizes, before the functions are called again */
+    double *seen = r->seen_roots; /* roots and then sizes, before the functions are called again */
     int near = 0;
     look(r);
     for (int i = 0; i < plan->modes; i++) {
@@ -138,7 +138,7 @@ static void against(ac_run *r, const int *crossed)
 {
     const ac_plan *plan = r->plan;
     const double *roots = r->model.roots;
-    double *seen = r->values;
+    double *seen = r->seen_roots;
     int near = 0;
     memcpy(seen, roots, bytes(plan->modes));
     for (int k = 0; k < plan->located; k++) {

@@ -116,7 +116,7 @@ static int linear(ac_run *r, const ac_segment *s, double *z, const double *nomin
     return singular(r, s, z, nominal, right, scaled);
 }
 
-static int solved(ac_run *r, const ac_segment *s, const double *guess)
+static int solved(ac_run *r, const ac_segment *s, const double *guess, int initial)
 {
     int n = s->tearing;
     double *z = r->found;
@@ -125,7 +125,7 @@ static int solved(ac_run *r, const ac_segment *s, const double *guess)
         nominal[i] = s->nominal[i] >= 0 ? r->nominal[s->nominal[i]] : 1.0;
         z[i] = s->guess[i] >= 0 ? guess[s->guess[i]] : 0.0;
     }
-    return s->kind == AC_LINEAR ? linear(r, s, z, nominal) : ac_newton(r, s, z, nominal);
+    return s->kind == AC_LINEAR ? linear(r, s, z, nominal) : ac_newton(r, s, z, nominal, initial);
 }
 
 static int unsolved(ac_run *r, const ac_program *program, const ac_segment *s, int initial)
@@ -136,6 +136,22 @@ static int unsolved(ac_run *r, const ac_program *program, const ac_segment *s, i
     return ac_say(r, AC_FAILED, "a block of %d %s solution at time %.12g s in the %s system: unknowns %s to %s (%s)",
                   s->writes, kind, r->model.t[0], initial ? "initial" : "running", name, more,
                   program->place[s->write[0]]);
+}
+
+/* The first jump of a run from one branch of solutions to another is passed on. */
+static void jumped(ac_run *r, const ac_program *program, const ac_segment *s, const double *guess)
+{
+    char text[AC_MESSAGE];
+    const ac_notice notice = {text, program->place[s->write[0]], 1};
+    double before = s->guess[0] >= 0 ? guess[s->guess[0]] : 0.0;
+    if (r->jumped || r->settings.warn == NULL) {
+        return;
+    }
+    r->jumped = 1;
+    r->warnings++;
+    (void)snprintf(text, sizeof text, "the solution of a nonlinear block ended, and another one was taken: %s from %.6g to %.6g",
+                   program->name[s->write[0]], before, r->found[0]);
+    r->settings.warn(r->settings.owner, r->model.t[0], &notice);
 }
 
 static int not_finite(ac_run *r, const ac_program *program, int slot)
@@ -153,8 +169,12 @@ int ac_walk(ac_run *r, const ac_program *program, const double *guess, int initi
         for (int k = 0; k < s->reads; k++) {
             r->known[k] = r->values[s->read[k]];
         }
-        if (s->kind != AC_EXPLICIT && !solved(r, s, guess)) {
+        int found = s->kind == AC_EXPLICIT ? 1 : solved(r, s, guess, initial);
+        if (found == 0) {
             return unsolved(r, program, s, initial);
+        }
+        if (found == 2) {
+            jumped(r, program, s, guess);
         }
         if (s->kind == AC_EXPLICIT) {
             code = ac_from(r, s->run, r->known, NULL, r->found, NULL);
