@@ -52,3 +52,12 @@ def bad_reset(evaluator: Evaluator, reset: Reset, value: float, time: float) -> 
 def _given(evaluator: Evaluator, names: tuple[str, ...]) -> str:
     values = point_text(evaluator, names)
     return f"with {values}" if values else ""
+
+
+def contradicts(evaluator: Evaluator) -> bool:
+    """Whether equations of a block have no common solution at the present point."""
+    try:
+        evaluator.explain()
+    except SimulationProblem as error:
+        return "simulate.singular-block" in error.codes
+    return False

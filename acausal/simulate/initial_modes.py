@@ -5,12 +5,16 @@ The discrete values follow: in every pass they are evaluated with the new modes,
 Tried in turn, each bounded: from the modes that the start values suggest, all conditions updated together;
 the same from all false; from the start values again, but changing only the first condition that disagrees
 (Murty's least-index rule for complementarity problems, 1974, which ends for networks of diodes and valves
-where updating all at once goes round in circles).
+where updating all at once goes round in circles). Ideal diodes that all conduct, or all block, may contradict
+their sources: where equations do so in all of these, the discrete values are those that the modes imply, and
+the search begins at every assignment of up to `_FEW` modes.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Protocol
 
 import numpy as np
@@ -25,6 +29,7 @@ from acausal.symbolic.expressions.expr import symbols
 
 MAX_ITERATIONS = 50
 _PER_MODE = 4
+_FEW = 6
 _EQUAL = 1e-9
 
 
@@ -45,6 +50,10 @@ class Problem(Protocol):
 
     def solve(self, switched: Switched) -> Walked:
         """The solution with these modes and frozen values; `InitializationProblem` where there is none."""
+        ...
+
+    def implied(self, modes: Vector) -> Switched:
+        """These modes with the discrete values that follow from them and the start values."""
         ...
 
     def modes(self, switched: Switched, values: Vector) -> Vector:
@@ -86,11 +95,31 @@ def consistent_modes(code: Code, suggested: Switched, problem: Problem) -> tuple
         if attempt.found is not None:
             return attempt.found
         failed.append(attempt)
+    if all(_contradicts(attempt.error) for attempt in failed):
+        for modes in _beginnings(suggested.m):
+            attempt = _search(problem.implied(modes), False, problem)
+            if attempt.found is not None:
+                return attempt.found
     circles = [attempt.circle for attempt in failed if attempt.circle]
     if circles:
         raise _no_modes(code, circles[-1])
     errors = [attempt.error for attempt in failed if attempt.error is not None]
     raise errors[0]
+
+
+def _contradicts(error: AcausalError | None) -> bool:
+    """Whether equations of these modes have no common solution."""
+    return error is not None and error.diagnostics[0].code == "simulate.singular-block"
+
+
+def _beginnings(suggested: Vector) -> Iterator[Vector]:
+    """Modes to begin the search from: the suggested ones, all true, then every assignment of a few."""
+    count = len(suggested)
+    yield suggested
+    yield np.ones(count)
+    if count <= _FEW:
+        for modes in product((1.0, 0.0), repeat=count):
+            yield np.array(modes)
 
 
 def _search(start: Switched, one_by_one: bool, problem: Problem) -> _Attempt:

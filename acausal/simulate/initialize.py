@@ -185,6 +185,18 @@ class _Problem:
         starting = [float(leaf.op == "initial") for leaf in frozen]
         return Switched(modes, np.where([leaf.op in ("sym", "pre") for leaf in frozen], d, starting))
 
+    def implied(self, modes: Vector) -> Switched:
+        """These modes with the discrete values that follow from them and the start values."""
+        switched = replace(self.suggested(), m=modes)
+        code, starts = self.code, self.start_of
+        x = np.array([starts.get(leaf_name(leaf), 0.0) for leaf in state_leaves(code.system)])
+        z = np.array([starts.get(leaf_name(leaf), 0.0) for leaf in code.dynamic.guesses])
+        point = [np.array([self.time]), x, self._p, modes, self._u, switched.d, z]
+        found = call(code.discrete.start, *point, self.starts)[0].ravel()
+        known = np.flatnonzero(np.isfinite(found))
+        switched.d[known] = found[known]
+        return switched
+
     def solve(self, switched: Switched) -> Walked:
         """All values with these modes and frozen values."""
         delays = len(self.code.system.delays)

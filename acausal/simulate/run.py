@@ -153,6 +153,7 @@ class _Loop:
             evaluator.d[settling.phases["initial"]] = 0.0
         evaluator.d[settling.samples] = self._schedule.due(time)
         self._x = settling.settle(time, x)
+        settling.depart(time, self._x, self.options.stop_time)
         self.recorder.add(time, self._x)
         self._close()
         self._restart()
@@ -329,6 +330,7 @@ class _Loop:
         due = self._schedule.due(self._time)
         evaluator.d[settling.samples] = due
         x = settling.settle(self._time, self._x, crossed)
+        settling.depart(self._time, x, self.options.stop_time)
         jumped = not np.array_equal(x, self._x)
         self._x = x
         changed = self._switched() != before

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from acausal.errors import AcausalError, Diagnostic, SimulationProblem
 from acausal.simulate.cycle_hints import cycle_hint, endless_hint
 from acausal.simulate.evaluator import Evaluator
-from acausal.simulate.event_errors import bad_reset, no_value
+from acausal.simulate.event_errors import bad_reset, contradicts, no_value
 from acausal.simulate.events import Instant, against, crossed_modes, operators, wanted_modes
 from acausal.simulate.initial_modes import Switched, moving, same_values
 from acausal.simulate.matrices import Vector
@@ -40,6 +40,10 @@ _PER_MODE = 4
 _WAYS = ((False, False), (False, True), (True, False))
 """How to iterate: one mode at a time or all, and whether what rests at exactly zero keeps its mode."""
 _FOLLOWING = 10
+MOMENT = 1e4
+"""Times the small time to look ahead: then modes that contradict each other have shown it."""
+MOST_NEAR = 8
+"""Other modes whose assignments are all tried where equations contradict each other."""
 MOST_TRIED = 10
 """Modes whose assignments are all tried."""
 
@@ -114,6 +118,23 @@ class Settling:
             if more is None:
                 raise
             return self._settle(time, x, more)
+
+    def depart(self, time: float, x: Vector, stop: float) -> None:
+        """Leaves modes that contradict each other a moment later, as a bridge of diodes at zero voltage."""
+        evaluator = self.evaluator
+        moment = min(time + MOMENT * self._ahead, stop)
+        if not evaluator.m.size or evaluator.history is not None or moment <= time:
+            return
+        before = evaluator.m.copy(), evaluator.d.copy(), evaluator.guess.copy()
+        evaluator.at(moment, x)
+        contradict = not evaluator.evaluate() and contradicts(evaluator)
+        evaluator.guess[:] = before[2]
+        if contradict:
+            try:
+                self._settle(moment, x, None)
+            except SimulationProblem:
+                evaluator.m[:], evaluator.d[:], evaluator.guess[:] = before
+        evaluator.at(time, x)
 
     def _crossing(self, time: float, x: Vector, crossed: NDArray[np.int_]) -> NDArray[np.int_] | None:
         """`crossed` with what is zero at this instant and crosses next; None if there is no more."""
@@ -217,6 +238,8 @@ class Settling:
         if not circle:
             return
         if self._error is not None and len(circle) == 1:
+            if self._try_near(start):
+                return
             raise self._error
         if not self._try_all(circle):
             raise _cycle(evaluator, circle, self._instant.time)
@@ -281,6 +304,24 @@ class Settling:
                 evaluator.m[which] = values
                 if self._is_consistent(which):
                     return True
+        return False
+
+    def _try_near(self, start: Switched) -> bool:
+        """Where the equations of `start` contradict each other, the nearest modes in which they do not.
+
+        Two ideal diodes that both conduct join their sources. What crossed keeps its new value.
+        """
+        evaluator, error = self.evaluator, self._error
+        which = np.flatnonzero(~self._instant.crossed)
+        if error is None or "simulate.singular-block" not in error.codes or len(which) > MOST_NEAR:
+            return False
+        changes = sorted(product((0.0, 1.0), repeat=len(which)), key=sum)
+        for change in changes[1:]:
+            evaluator.m[:], evaluator.d[:] = start.m, start.d
+            evaluator.m[which] = np.abs(start.m[which] - np.array(change))
+            if self._is_consistent(np.arange(len(start.m))):
+                return True
+        evaluator.m[:], evaluator.d[:] = start.m, start.d
         return False
 
     def _is_consistent(self, which: NDArray[np.intp]) -> bool:

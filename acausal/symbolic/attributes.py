@@ -121,10 +121,10 @@ def _first_start(members: Sequence[Member]) -> Expr | None:
 
 def fixed_start(members: Sequence[Member], values: ParameterValues) -> Expr | None:
     """The start value the class is fixed at, None if it is not; two different ones are an error."""
-    fixed = [(v, signed(start_or_default(v, values), sign)) for v, sign in members if v.fixed]
-    for variable, start in fixed[1:]:
+    fixed = [(v, signed(start_or_default(v, values), sign), sign) for v, sign in members if v.fixed]
+    for variable, start, sign in fixed[1:]:
         if same_value(fixed[0][1], start, values) is False:
-            raise start_conflict(fixed[0][0], variable)
+            raise start_conflict(fixed[0][0], variable, opposite=sign != fixed[0][2])
     return fixed[0][1] if fixed else None
 
 
@@ -133,15 +133,16 @@ def start_place(variable: Variable) -> Span:
     return variable.start_span or variable.span
 
 
-def start_conflict(a: Variable, b: Variable) -> InitializationProblem:
+def start_conflict(a: Variable, b: Variable, *, opposite: bool = False) -> InitializationProblem:
     """Two variables that are always equal (or opposite) are fixed at different start values."""
+    relation = "the negative" if opposite else "an alias"
 
     def diagnostic(variable: Variable, other: Variable) -> Diagnostic:
         own, its = (to_text(v.start) if v.start is not None else "0" for v in (variable, other))
         return Diagnostic(
             "start.conflict",
             f"in the initial system `{variable.name}` is fixed at {own}, "
-            f"but it is an alias of `{other.name}` ({place(start_place(other))}), which is fixed at {its}",
+            f"but it is {relation} of `{other.name}` ({place(start_place(other))}), which is fixed at {its}",
             start_place(variable),
             (variable.name, other.name),
             "remove `fixed = true` from one of them, or make their start values agree",

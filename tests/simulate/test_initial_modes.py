@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import acausal
@@ -81,3 +82,38 @@ def test_modes_without_a_solution_are_left_for_others() -> None:
     assert point.evaluator.m.tolist() == [0.0]
     z = point.evaluator.guess[0]
     assert z * z + z == pytest.approx(0.25)
+
+
+BRIDGE = """
+model Bridge "ideal diodes without resistance between a source, which floats, and an inductive load"
+  constant Integer n = 3;
+  constant Real pi = 3.141592653589793;
+  Real e[n], p, star, s[2 * n], u[2 * n], i[2 * n], load(start = {load}, fixed = true);
+  Boolean off[2 * n];
+equation
+  for k in 1:n loop
+    e[k] - star = 100 * sin(100 * pi * time + {phase} - 2 * pi * (k - 1) / n);
+    u[k] = e[k] - p;
+    u[n + k] = -e[k];
+  end for;
+  for k in 1:2 * n loop
+    off[k] = s[k] < 0;
+    u[k] = if off[k] then s[k] else 0;
+    i[k] = if off[k] then 0 else s[k];
+  end for;
+  sum(i[1:n]) = load;
+  sum(i[n + 1:2 * n]) = load;
+  0.1 * der(load) = p - 10 * load;
+end Bridge;
+"""
+
+
+@pytest.mark.parametrize(("load", "phase"), [(0.0, 0.0), (5.0, 0.3), (5.0, np.pi / 2)])
+def test_currents_of_an_ideal_bridge_pass_from_diode_to_diode(load: float, phase: float) -> None:
+    """All conducting, all blocking, and two conducting after their voltages cross have no solution."""
+    compiled = acausal.loads(BRIDGE.format(load=load, phase=phase)).compile()
+    result = compiled.simulate(stop_time=0.02, interval=1e-4)
+    angles = 100 * np.pi * result.time + phase
+    phases = 100 * np.sin(angles[:, None] - np.arange(3) * 2 * np.pi / 3)
+    voltage = phases.max(axis=1) - phases.min(axis=1)
+    assert result.values("p") == pytest.approx(voltage, abs=1e-2)

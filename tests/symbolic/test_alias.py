@@ -139,7 +139,11 @@ def test_two_fixed_starts_must_agree() -> None:
     assert caught.value.codes == ("start.conflict", "start.conflict")
     lines = [d.span.line for d in caught.value.diagnostics if d.span is not None]
     assert lines == [3, 4]
-    assert "`y`" in caught.value.diagnostics[0].message
+    assert "it is an alias of `y`" in caught.value.diagnostics[0].message
+    variables["y"] = fixed
+    with pytest.raises(InitializationProblem) as caught:
+        simplified(model("der(x) = 1", "y = -x", variables=variables))
+    assert "it is the negative of `y`" in caught.value.diagnostics[0].message
 
 
 def test_a_fixed_start_must_agree_with_a_constant_value() -> None:

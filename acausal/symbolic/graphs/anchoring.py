@@ -14,9 +14,9 @@ from collections.abc import Mapping, Sequence
 from acausal.symbolic.graphs.tearing import Tearing
 from acausal.symbolic.graphs.types import Eq, Var
 
-GROWTH = 1e5
+GROWTH = 1e4
 """How much larger than the rounding errors they begin with errors may get along assignments."""
-STALE = 1e3
+STALE = 1e2
 """The same for errors that the beginning of a new chain should have ended."""
 LARGE = 60
 """Guesses from which on a sparse matrix counts for more than a small one."""
