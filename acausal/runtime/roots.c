@@ -215,7 +215,7 @@ int ac_search(ac_solver *s)
         ac_hermite(s);
     }
     int points = s->method == AC_RODAS5P ? LEAST : 1;
-    double wanted = s->sample > 0.0 ? ceil((s->t1 - s->t0) / s->sample) : 1.0;
+    double wanted = s->sample > 0.0 ? ceil((s->t1 - s->t0) / s->sample * (1.0 - 1e-9)) : 1.0;
     if (wanted > points) {
         points = wanted < (double)AC_MAX_LOOKS ? (int)wanted : AC_MAX_LOOKS;
     }

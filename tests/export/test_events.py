@@ -26,11 +26,21 @@ equation
   end when;
 end Ball;
 """
+FALLS = """
+model Falls "An integer that falls with its argument"
+  Integer down;
+  Real x(start = 0, fixed = true);
+equation
+  down = integer(-37*x);
+  der(x) = 1;
+end Falls;
+"""
 CASES = {
     "a crossing at a sample": (SAMPLED, "heun", 0.01, 9.7),
     "two crossings at once": (TOGETHER, "heun", 0.01, 20.25),
     "ideal switches": (SWITCHES, "heun", 1e-4, 0.04),
     "dry friction in a stiff loop": (SLIDER, "rosenbrock", 2e-3, 5.0),
+    "steps from row to row": (FALLS, "heun", 0.02, 4.0),
 }
 
 

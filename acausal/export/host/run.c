@@ -299,6 +299,7 @@ static void begun(ac_run *r)
     s->locate = settings->locate;
     s->rtol = 1e-6;
     s->min_step = 7e-15 * largest;
+    s->sample = fmin(settings->interval, settings->stop_time - settings->start_time);
     s->step = settings->step;
     s->origin = settings->start_time;
     s->max_steps = settings->max_steps;
