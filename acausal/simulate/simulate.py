@@ -74,6 +74,7 @@ def simulate(
     standing = standing_after(after) if after is not None else None
     if standing is not None:
         _check_continued(standing, start_time, start)
+        interval = standing.interval if interval is None else interval
     options = resolve(
         code.system.flat.experiment,
         stop_time=stop_time,

@@ -39,6 +39,8 @@ class Standing:
     parameters: Mapping[str, float]
     samples: tuple[float, ...]
     past: tuple[Sample, ...]
+    interval: float | None = None
+    """Between points of the output grid; None in what earlier versions wrote."""
 
     def to_text(self) -> str:
         """As JSON with all digits."""
@@ -90,4 +92,5 @@ def standing_of(
         parameters={name: values[name] for name in system.parameters if sym(name) in code.initial.unknowns},
         samples=tuple(counts.tolist()),
         past=tuple(sample for sample in past if sample.time <= time),
+        interval=options.interval,
     )

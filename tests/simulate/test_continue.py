@@ -65,6 +65,13 @@ def agree(found: acausal.Result | StoredResult, whole: acausal.Result, since: fl
         assert found.values(name)[mine:] == pytest.approx(whole.values(name)[first:], abs=1e-4), name
 
 
+def test_the_grid_is_that_of_the_first_run(ball: acausal.CompiledModel) -> None:
+    first = ball.simulate(stop_time=0.2, interval=0.05)
+    assert np.isin([0.25, 0.3, 0.35, 0.4], ball.simulate(after=first, stop_time=0.4).time.round(9)).all()
+    assert len(ball.simulate(after=first, stop_time=0.4).time) < 20
+    assert len(ball.simulate(after=first, stop_time=0.4, interval=0.01).time) > 20
+
+
 @pytest.mark.parametrize("solver", ["rodas", "cvode"])
 @pytest.mark.parametrize("stop", [0.5, 1.27])
 def test_run_goes_on(ball: acausal.CompiledModel, solver: str, stop: float) -> None:
