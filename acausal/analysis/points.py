@@ -60,6 +60,8 @@ class Point:
 class _Notes(Recorder):
     """A recorder that also keeps the points at the instants in `wanted`."""
 
+    watches_modes = True
+
     def __init__(self, evaluator: Evaluator, wanted: Sequence[float]) -> None:
         super().__init__(evaluator)
         self._wanted = np.array(wanted)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_text
-from acausal.codegen.functions import Code
 from acausal.errors import AcausalError, UsageProblem, fail
 from acausal.explain.explanation import Explanation, explain
+
+if TYPE_CHECKING:
+    from acausal.codegen.functions import Code
 
 _PLOTS = (".png", ".svg", ".pdf")
 

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from acausal.errors import Span
 from acausal.lang.arithmetic import type_error
+from acausal.lang.base_reading import is_base_modelica
 from acausal.lang.flat import REAL, Equation, StateSelect, Variability, Variable, When
 from acausal.lang.translation import Translation
 from acausal.symbolic.expressions import expr as ex
@@ -50,10 +51,15 @@ class DiscreteVariables:
                 raise type_error("reinit.several", message, when.span, hint, (reinit,))
             self._reset[reinit] = when.span
 
-    def check_left_limits(self, used: Mapping[str, Span]) -> None:
+    def check_left_limits(self, used: Mapping[str, Span], variables: Sequence[Variable]) -> None:
         """Raise `type.pre` for continuous variables under `pre` outside when-clauses."""
+        declared = frozenset(
+            v.name
+            for v in variables
+            if v.variability is Variability.DISCRETE and is_base_modelica(v.span.source)
+        )
         for name, span in used.items():
-            if name not in self._real:
+            if name not in self._real and name not in declared:
                 message = f"pre needs a discrete variable, but `{name}` is continuous"
                 hint = "use it in a when-clause, where every variable has a left limit"
                 raise type_error("type.pre", message, span, hint, (name,))
@@ -72,9 +78,14 @@ class DiscreteVariables:
                 raise type_error("reinit.state", message, span, "", (name,))
 
     def check_declared(self, variables: Sequence[Variable], equations: Sequence[Equation]) -> None:
-        """Raise `type.discrete-unassigned` for a Real declared `discrete` that no when-clause determines."""
+        """Raise `type.discrete-unassigned` for a Real declared `discrete` that no when-clause determines.
+
+        Base Modelica that we write has equations with edges for what several when-statements assign.
+        """
         for variable in variables:
             if variable.variability is not Variability.DISCRETE or variable.type != REAL:
+                continue
+            if is_base_modelica(variable.span.source):
                 continue
             equal = _equal_to(variable.name, equations) if variable.name not in self._real else {}
             name = variable.name

@@ -49,7 +49,7 @@ def flatten(translator: Translator, root: Instance) -> FlatModel:
             *constraints,
         )
     )
-    work.discrete.check_left_limits(translator.left_limits)
+    work.discrete.check_left_limits(translator.left_limits, found)
     work.discrete.check_states(equations)
     work.discrete.check_declared(found, equations)
     return FlatModel(

@@ -35,6 +35,9 @@ class Recorder:
     About `expected` rows will come.
     """
 
+    watches_modes = False
+    """Whether rows are read with the modes of the evaluator, so that Python has to handle the events."""
+
     def __init__(self, evaluator: Evaluator, expected: int = 0) -> None:
         self._evaluator = evaluator
         self._rows = Rows(len(evaluator.code.output_leaves), expected)

@@ -137,7 +137,7 @@ class _Loop:
 
     def _handing_over(self) -> Cruise | None:
         """Has the solver handle events on the way, if it can."""
-        if self._sweeper is None:
+        if self._sweeper is None or self.recorder.watches_modes:
             return None
         return self._sweeper.handle(self._settling, self._schedule, self.guard, self._ahead)
 
