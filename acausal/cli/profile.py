@@ -10,6 +10,7 @@ from acausal.cli.commands import Target
 from acausal.cli.output import check_writable, print_diagnostics, print_json, print_table, print_text
 from acausal.errors import UsageProblem, fail
 from acausal.simulate.result import Result
+from acausal.symbolic.describe import place
 
 _SHOWN = 30
 _PLOTS = (".png", ".svg", ".pdf")
@@ -25,7 +26,7 @@ class Profiling:
 
 
 def run_profile(target: Target, wish: Profiling, *, as_json: bool) -> None:
-    """Runs the model with variable steps; prints which states set the step size."""
+    """Runs the model with variable steps; prints which states set the step size, and what made the events."""
     if wish.plot is not None and wish.plot.suffix.lower() not in _PLOTS:
         problem = f"`{wish.plot}` cannot be drawn"
         raise fail(UsageProblem, "usage.plot", problem, hint=f"end the name in {', '.join(_PLOTS)}")
@@ -56,6 +57,23 @@ def _print(result: Result) -> None:
         f"\n{cost.steps} steps and {cost.rejected} refused ones, {cost.rhs_evaluations} evaluations, "
         f"{cost.factorisations} factorisations, {cost.events} events; {cost.cpu_seconds:.3g} s of CPU time"
     )
+    phases = [
+        f"{name.replace('_', ' ')} {spent:.3g} s" for name, spent in cost.phase_seconds.items() if spent
+    ]
+    print_text("CPU time by phase: " + ", ".join(phases))
+    _print_events(result)
+
+
+def _print_events(result: Result) -> None:
+    """Which lines of the model made the events."""
+    shown = result.event_costs[:_SHOWN]
+    if not shown:
+        return
+    print_text("")
+    rows = [(cost.what, str(cost.events), place(cost.span)) for cost in shown]
+    print_table(rows, ("what changed", "events", "line"), right=[1])
+    if len(result.event_costs) > len(shown):
+        print_text(f"and {len(result.event_costs) - len(shown)} more")
 
 
 def _draw(result: Result, path: Path) -> None:

@@ -200,6 +200,14 @@ class _Written:
         return self.result.variable(name)
 
 
+def event_sources(result: Result) -> list[dict[str, object]]:
+    """Conditions and discrete variables behind the events, with their lines; most events first."""
+    return [
+        {"source": cost.what, "file": cost.span.file, "line": cost.span.line, "events": cost.events}
+        for cost in result.event_costs
+    ]
+
+
 def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, object]:
     """The JSON of `acausal simulate`."""
     statistics = asdict(result.statistics)
@@ -211,6 +219,9 @@ def summary(result: Result, names: tuple[str, ...], run: Run) -> dict[str, objec
         **({"warnings": [w.to_json() for w in result.warnings]} if result.warnings else {}),
         "final": result.final(names),
         "result": None if run.file is None else str(run.file),
+        "rejected": statistics["rejected"],
+        "phase_seconds": statistics["phase_seconds"],
+        "event_sources": event_sources(result),
     }
 
 

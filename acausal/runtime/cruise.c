@@ -155,8 +155,9 @@ static int noted(ac_cruise *c, double t, int happened)
     return dense || shrinks(c) ? AC_CROWDED : 0;
 }
 
-/* What is involved in the present stop: modes and unknowns that change, and what crossed. */
-static void involved(ac_cruise *c, const int *crossed)
+/* What is involved in the present stop: modes and unknowns that change, and what crossed; tallied where something
+ * happened. */
+static void involved(ac_cruise *c, const int *crossed, int happened)
 {
     const ac_event *e = c->event;
     unsigned char *now = c->involved + (size_t)(c->stops % AC_RECENT) * (size_t)(e->modes + e->unknowns);
@@ -165,6 +166,9 @@ static void involved(ac_cruise *c, const int *crossed)
     }
     for (int i = 0; i < e->unknowns; i++) {
         now[e->modes + i] = c->before_d[i] != e->d[i];
+    }
+    for (int i = 0; happened && i < e->modes + e->unknowns; i++) {
+        c->tally[i] += now[i];
     }
 }
 
@@ -187,7 +191,7 @@ static int happened(ac_cruise *c, const int *crossed)
         c->filled = filled;
         return AC_EVENT;
     }
-    involved(c, crossed);
+    involved(c, crossed, changed);
     if (noted(c, t, changed) != 0) {
         return AC_CROWDED;
     }

@@ -19,6 +19,7 @@ typedef struct {
     double *x, *before_x, *before_m, *before_d, *before_count, *before_guess;
     double *recent;            /* the last stops, in turn, and what was involved: modes and unknowns */
     unsigned char *involved;
+    ac_long *tally;            /* events that each mode and unknown took part in */
     ac_long stops, events;     /* stops noted; those at which something happened */
 } ac_cruise;
 

@@ -79,6 +79,7 @@ class CruiseStructure(Structure):
     filled: int
     recent: int
     involved: int
+    tally: int
     stops: int
     events: int
     _fields_ = [
@@ -86,7 +87,7 @@ class CruiseStructure(Structure):
         *typed("held next last_row shortest resolved", c_double),
         *pointers("times rows"),
         *typed("room filled", c_int),
-        *pointers("x before_x before_m before_d before_count before_guess recent involved"),
+        *pointers("x before_x before_m before_d before_count before_guess recent involved tally"),
         *typed("stops events", c_longlong),
     ]
 

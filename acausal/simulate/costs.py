@@ -5,8 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from acausal.errors import Span
+from acausal.simulate.messages import leaf_name
 from acausal.simulate.solver import Solver
+from acausal.symbolic.causal import CausalSystem
+from acausal.symbolic.expressions.text import to_text
 
 
 @dataclass(frozen=True)
@@ -21,6 +26,24 @@ class StateCost:
     influence: float
     error_failures: int
     convergence_failures: int
+
+
+@dataclass(frozen=True)
+class EventCost:
+    """The events that a condition or a discrete variable took part in; one event may be of several."""
+
+    what: str
+    events: int
+    span: Span
+
+
+def event_costs(system: CausalSystem, tally: NDArray[np.int64]) -> tuple[EventCost, ...]:
+    """Most events first. `tally` is of the model's conditions and then its discrete variables."""
+    crossings = [(to_text(crossing.relation), crossing.span) for crossing in system.events]
+    variables = [(leaf_name(a.unknown), a.equation.flat.span) for a in system.discrete.assignments]
+    counted = zip((*crossings, *variables), tally.tolist(), strict=True)
+    found = [EventCost(what, count, span) for (what, span), count in counted if count]
+    return tuple(sorted(found, key=lambda cost: -cost.events))
 
 
 class Costs:

@@ -105,6 +105,7 @@ class Cruise:
         cruise.held, cruise.shortest = 1e4 * ahead, guard.shortest
         cruise.resolved = guard.resolved
         cruise.recent, cruise.involved = memory.array(guard.recent), memory.array(guard.involved)
+        cruise.tally = memory.array(guard.tally)
         self._run_time.cruise_init(
             cruise, memory.array(np.zeros(int(self._run_time.cruise_doubles(self._event)) + 1))
         )

@@ -171,7 +171,9 @@ class EventGuard:
         """When the last stops were, in turn."""
         width = len(system.events) + len(system.discrete.unknowns)
         self.involved = np.zeros((RECENT, width), np.uint8)
-        self._system = system
+        self.tally = np.zeros(width, np.int64)
+        """Events that each mode and discrete value took part in."""
+        self.system = system
 
     def add(self, time: float, changed: NDArray[np.bool_], happened: bool) -> None:
         """Notes one stop, which modes and discrete values were involved, and whether it was an event.
@@ -182,6 +184,8 @@ class EventGuard:
         self.count += happened
         self.stops += 1
         self.recent[place], self.involved[place] = time, changed
+        if happened:
+            self.tally += changed
         if self._is_dense() or self._shrinks():
             raise self.crowded()
 
@@ -206,7 +210,7 @@ class EventGuard:
 
     def crowded(self) -> SimulationProblem:
         """The stops that are remembered are an accumulation."""
-        system, times = self._system, self._times()
+        system, times = self.system, self._times()
         involved = [bool(column.any()) for column in self.involved[: len(times)].T]
         own, samples = system.events, system.discrete.samples
         crossings = [c for c, on in zip(own, involved, strict=False) if on]

@@ -52,6 +52,8 @@ class InitialPoint:
     used: tuple[UsedStart, ...]
     warnings: tuple[Diagnostic, ...] = ()
     """Blocks that only a homotopy could solve (`initialize.homotopy`)."""
+    cpu_seconds: float = 0.0
+    """What solving it took."""
 
 
 def initialize(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ from acausal.lang.flat import Variable
 from acausal.results.csv_file import CsvWriter
 from acausal.results.signals import Layout
 from acausal.results.stored import Writer, open_writer
-from acausal.simulate.costs import StateCost
+from acausal.simulate.costs import EventCost, StateCost
 from acausal.simulate.initialize import UsedStart
 from acausal.simulate.matrices import Vector
 from acausal.simulate.record import Ending
@@ -49,6 +49,9 @@ class Statistics:
     factorisations: int = 0
     max_step_seconds: float | None = None
     """Longest wall time of a fixed step, events at its end included; None with variable steps."""
+    phase_seconds: Mapping[str, float] = field(default_factory=dict[str, float])
+    """CPU seconds of the `start`, of `compile_c`, of new choices of states (`select_states`), of the `run`,
+    and of writing to a file on the way (`store`)."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,8 @@ class Result:
     """The `terminate` that ended the run before its stop time."""
     state_costs: tuple[StateCost, ...] = ()
     """Which states set the step size, largest influence first; empty for solvers that do not say."""
+    event_costs: tuple[EventCost, ...] = ()
+    """Which conditions and discrete variables made the events, most events first."""
     file: Path | None = None
     """Where the rows are, of a run that was stored as it went; only the last row is here then."""
     standing: Standing | None = None

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from acausal.errors import AcausalError
-from acausal.simulate.costs import Costs, StateCost
+from acausal.simulate.costs import Costs, EventCost, StateCost, event_costs
 from acausal.simulate.cruise import Cruise
 from acausal.simulate.evaluator import Evaluator
 from acausal.simulate.events import EventGuard, check_conditions, crossed_modes, operators
@@ -56,6 +56,7 @@ class Course:
     work: Work
     ended: Ending | None = None
     state_costs: tuple[StateCost, ...] = ()
+    event_costs: tuple[EventCost, ...] = ()
     standing: Standing | None = None
     """From where another run can go on."""
 
@@ -286,6 +287,7 @@ class _Loop:
             self._work(),
             self.ended,
             self._costs.states(),
+            event_costs(self.guard.system, self.guard.tally),
             self._last if self.ended is None else None,
         )
 

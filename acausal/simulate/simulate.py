@@ -90,11 +90,13 @@ def simulate(
         events=events,
         compiled=compiled,
     )
+    began = process_time()
     if standing is None:
         point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
     else:
         options = resumed(options, standing)
         point = resume(code, standing, parameters, inputs, options.stop_time)
+    point = replace(point, cpu_seconds=process_time() - began)
     if store is not None and not isinstance(store, Store):
         store = Store(Path(store), None if variables is None else tuple(variables))
     return integrate(point, options, keep, store, standing, progress)
@@ -155,10 +157,11 @@ def integrate(
 
     def result(course: Course) -> Result:
         cpu = process_time() - began - course.compiling - course.work.compiling
+        stored = 0.0
         if stream is not None:
-            cpu -= stream.spent
+            stored = stream.spent
             stream.close(None if course.ended is not None else course.standing)
-        found = _result(point, options, recorder, course, cpu)
+        found = _result(point, options, recorder, course, cpu - stored, stored)
         found = replace(found, warnings=(*found.warnings, *steps.warnings(recorder)))
         return found if store is None else replace(found, file=store.path)
 
@@ -181,9 +184,16 @@ def integrate(
             stream.abandon()
 
 
-def _result(point: InitialPoint, options: Options, recorder: Recorder, course: Course, cpu: float) -> Result:
+def _result(
+    point: InitialPoint, options: Options, recorder: Recorder, course: Course, cpu: float, stored: float
+) -> Result:
     evaluator = point.evaluator
     code = evaluator.code
+    phases = {
+        "start": point.cpu_seconds,
+        "compile_c": course.work.compiling,
+        "select_states": course.compiling,
+    }
     return Result(
         system=code.system,
         time=recorder.time,
@@ -204,9 +214,11 @@ def _result(point: InitialPoint, options: Options, recorder: Recorder, course: C
             rejected=course.work.rejected,
             factorisations=course.work.factorisations,
             max_step_seconds=course.work.longest if options.solver in FIXED else None,
+            phase_seconds=phases | {"run": cpu, "store": stored},
         ),
         starts=point.used,
         warnings=(*point.warnings, *recorder.warnings),
         ended=course.ended,
         state_costs=course.state_costs,
+        event_costs=course.event_costs,
     )

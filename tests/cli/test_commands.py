@@ -19,7 +19,7 @@ from tests.cli.calls import Call
 COMPILE_KEYS = "model equations variables aliases index states blocks zero_crossings seconds".split()
 SIMULATE_KEYS = [
     *"model solver stop_time steps rhs_evaluations jacobian_evaluations events".split(),
-    *"cpu_seconds real_time_factor final result".split(),
+    *"cpu_seconds real_time_factor final result rejected phase_seconds event_sources".split(),
 ]
 
 
