@@ -53,7 +53,7 @@ class Evaluator:
         self.shift = np.zeros(len(code.located))
         """What integrators add to the located roots, see `hold`."""
         self._above = np.array([code.relations[i].op in ("gt", "ge") for i in code.located], dtype=np.bool_)
-        self.band = np.full(len(code.located), 1e-3)
+        self.band = np.full(len(code.located), 0.1)
         """The largest sum of both sides' absolute values so far, of each located root."""
         self.guess = np.zeros(len(code.dynamic.guesses))
         self._moving = bool(self.inputs.moving)
@@ -146,7 +146,7 @@ class Evaluator:
 
         A located root that is zero or on the wrong side of its mode at the present point is shifted back; one
         that rests there, as it does not change in steps of `ahead`, by `HYSTERESIS` of the largest sum of
-        both sides' absolute values met so far (at least of 1e-3).
+        both sides' absolute values met so far (at least of 0.1).
         """
         if not self.located.size:
             return

@@ -5,7 +5,8 @@ are evaluated in turn until nothing changes; values before the event stay fixed.
 circles, as it may for friction elements that share a loop, a root that rests at exactly zero, as that of a
 brake on a shaft that another one holds, keeps its mode; then one mode at a time is changed (Murty's
 least-index rule), and then every assignment of the modes that were in doubt is tried, up to `MOST_TRIED` of
-them, at last with either for what rests at zero.
+them, with either for what rests at zero. At last one mode at a time is changed from the other end: clutches
+in a row that are tied, where one locks while its neighbour is about to slip, settle from one end only.
 
 Outer loop. In its first pass, a located relation has the value that its crossing gave it: a switch may turn
 the derivative round, and must not undo itself. Then states are reset, what was found becomes the value before
@@ -37,8 +38,10 @@ from acausal.symbolic.expressions.expr import Expr, postorder, symbols
 
 MAX_ITERATIONS = 50
 _PER_MODE = 4
-_WAYS = ((False, False), (False, True), (True, False))
-"""How to iterate: one mode at a time or all, and whether what rests at exactly zero keeps its mode."""
+_FIRST, _LAST = 0, -1
+_WAYS = ((None, False), (None, True), (_FIRST, False))
+"""How to iterate: which of the modes that differ is changed (None: all), and whether what rests at exactly
+zero keeps its mode. Where all of this goes round in circles, and no assignment is found: the last."""
 _FOLLOWING = 10
 MOMENT = 1e4
 """Times the small time to look ahead: then modes that contradict each other have shown it."""
@@ -228,9 +231,9 @@ class Settling:
         self._disputed[:] = False
         start = Switched(evaluator.m.copy(), evaluator.d.copy())
         circle: list[Switched] = []
-        for one_by_one, undecided in _WAYS:
+        for single, undecided in _WAYS:
             self._instant = replace(self._instant, undecided=undecided)
-            circle = self._iterate(one_by_one)
+            circle = self._iterate(single)
             if not circle:
                 break
             evaluator.m[:], evaluator.d[:] = start.m, start.d
@@ -242,15 +245,18 @@ class Settling:
                 return
             raise self._error
         if not self._try_all(circle):
+            evaluator.m[:], evaluator.d[:] = start.m, start.d
+            if not self._iterate(_LAST):
+                return
             raise _cycle(evaluator, circle, self._instant.time)
 
-    def _iterate(self, one_by_one: bool) -> list[Switched]:
+    def _iterate(self, single: int | None) -> list[Switched]:
         """Until nothing changes: nothing; what came round again, or the place of an error, otherwise."""
         evaluator = self.evaluator
         visited: list[Switched] = []
-        for _ in range(MAX_ITERATIONS + (_PER_MODE * len(evaluator.m) if one_by_one else 0)):
+        for _ in range(MAX_ITERATIONS + (_PER_MODE * len(evaluator.m) if single is not None else 0)):
             present = Switched(evaluator.m.copy(), evaluator.d.copy())
-            if not self._step(present, one_by_one):
+            if not self._step(present, single):
                 return [present]
             following = Switched(evaluator.m.copy(), evaluator.d.copy())
             if following.agrees(present):
@@ -261,7 +267,7 @@ class Settling:
                 return visited[again[0] :]
         return visited
 
-    def _step(self, present: Switched, one_by_one: bool) -> bool:
+    def _step(self, present: Switched, single: int | None) -> bool:
         """One pass; False where something cannot be computed (the error is kept)."""
         evaluator = self.evaluator
         try:
@@ -273,8 +279,8 @@ class Settling:
         self._met |= near
         self._disputed |= modes != present.m
         different = np.flatnonzero(modes != present.m)
-        if one_by_one and different.size:
-            modes = np.where(np.arange(len(modes)) == different[0], modes, present.m)
+        if single is not None and different.size:
+            modes = np.where(np.arange(len(modes)) == different[single], modes, present.m)
         evaluator.m[:] = modes
         return self._follow()
 
@@ -336,7 +342,7 @@ class Settling:
                 break
         for _ in range(MAX_ITERATIONS):
             present = Switched(evaluator.m.copy(), evaluator.d.copy())
-            if not self._step(present, one_by_one=False) or not np.array_equal(evaluator.m[which], chosen):
+            if not self._step(present, None) or not np.array_equal(evaluator.m[which], chosen):
                 return False
             if present.agrees(Switched(evaluator.m.copy(), evaluator.d.copy())):
                 return True

@@ -314,7 +314,7 @@ static void begun(ac_run *r)
     r->message[0] = '\0';
     memset(r->warned, 0, (size_t)(r->plan->assertions + r->plan->checks) * sizeof(int));
     for (int k = 0; k < r->plan->located; k++) {
-        r->band[k] = 1e-3;
+        r->band[k] = 0.1;
         r->shift[k] = 0.0;
     }
 }

@@ -3,10 +3,10 @@
  * Inner loop: continuous blocks, modes and discrete equations are evaluated in turn until nothing changes, with the
  * values before the event fixed. Where that goes round in circles, a root that rests at exactly zero keeps its mode;
  * then one mode at a time is changed (Murty's least-index rule), and then every assignment of the modes in doubt is
- * tried. Outer loop: in its first pass a located relation has the value that its crossing gave it; then states are
- * reset, what was found becomes the value before the event, and the inner loop runs again, until that changes nothing
- * (Modelica 3.6, appendix B). Where all that fails, what is about to cross at the same instant has crossed, too. All is
- * bounded. */
+ * tried; at last one mode at a time from the other end. Outer loop: in its first pass a located relation has the value
+ * that its crossing gave it; then states are reset, what was found becomes the value before the event, and the inner
+ * loop runs again, until that changes nothing (Modelica 3.6, appendix B). Where all that fails, what is about to cross at
+ * the same instant has crossed, too. All is bounded. */
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +18,7 @@
 #define FLAT 1e-15
 
 enum { ITERATIONS = 50, PER_MODE = 4, FOLLOWING = 10, TRIED = 10 };
+enum { ALL = 0, FIRST = 1, LAST = 2 }; /* which of the modes that differ is changed */
 enum { SETTLED = 0, BROKEN = 1, CIRCLE = 2 };
 enum { CIRCLING = -30, BEYOND = 2 }; /* modes go round in circles; a crossing that goes against its root's way */
 
@@ -182,10 +183,10 @@ static int follow(ac_run *r)
 }
 
 /* One pass over blocks, modes and discrete equations. */
-static int passed(ac_run *r, int one_by_one)
+static int passed(ac_run *r, int which)
 {
     const ac_plan *plan = r->plan;
-    int kept = 0;
+    int only = -1;
     int code = ac_settled(r);
     code = code == 0 ? judged(r) : code;
     if (code != 0) {
@@ -195,14 +196,15 @@ static int passed(ac_run *r, int one_by_one)
     for (int i = 0; i < plan->modes; i++) {
         if (r->wanted[i] != r->m[i]) {
             r->disputed[i] = 1;
-            if (!(one_by_one && kept)) {
+            r->model.settled = 0;
+            only = only < 0 || which == LAST ? i : only;
+            if (which == ALL) {
                 r->m[i] = r->wanted[i];
             }
-            kept = 1;
         }
     }
-    if (kept) {
-        r->model.settled = 0;
+    if (only >= 0) {
+        r->m[only] = r->wanted[only];
     }
     code = follow(r);
     if (code != 0) {
@@ -228,14 +230,14 @@ static void back(ac_run *r, const double *m, const double *d)
     put(r, r->d, d, r->plan->frozen);
 }
 
-static int iterated(ac_run *r, int one_by_one)
+static int iterated(ac_run *r, int which)
 {
-    int most = ITERATIONS + (one_by_one ? PER_MODE * r->plan->modes : 0);
+    int most = ITERATIONS + (which != ALL ? PER_MODE * r->plan->modes : 0);
     int anchor = 1;
     note(r, r->seen_m, r->seen_d);
     for (int i = 1; i <= most; i++) {
         note(r, r->old_m, r->old_d);
-        if (passed(r, one_by_one) != 0) {
+        if (passed(r, which) != 0) {
             return BROKEN;
         }
         if (agree(r, r->old_m, r->old_d)) {
@@ -266,7 +268,7 @@ static int is_consistent(ac_run *r, const int *which, int count, int choice)
     }
     for (int i = 0; i < ITERATIONS; i++) {
         note(r, r->old_m, r->old_d);
-        if (passed(r, 0) != 0) {
+        if (passed(r, ALL) != 0) {
             return 0;
         }
         for (int k = 0; k < count; k++) {
@@ -330,7 +332,7 @@ static int circling(ac_run *r)
 /* The inner loop. */
 static int agreed(ac_run *r)
 {
-    static const int ways[3][2] = {{0, 0}, {0, 1}, {1, 0}}; /* one mode at a time; whether rest at zero is undecided */
+    static const int ways[3][2] = {{ALL, 0}, {ALL, 1}, {FIRST, 0}}; /* and whether rest at zero is undecided */
     const ac_plan *plan = r->plan;
     int found = SETTLED;
     if (plan->modes == 0 && plan->frozen == 0) {
@@ -354,6 +356,10 @@ static int agreed(ac_run *r)
     }
     int fine = tried(r);
     r->undecided = 0;
+    if (!fine) {
+        back(r, r->start_m, r->start_d);
+        fine = iterated(r, LAST) == SETTLED;
+    }
     return fine ? 0 : circling(r);
 }
 
