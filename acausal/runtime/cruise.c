@@ -263,4 +263,6 @@ void ac_cruise_sizes(int *sizes)
 {
     sizes[0] = (int)sizeof(ac_event);
     sizes[1] = (int)sizeof(ac_cruise);
+    sizes[2] = AC_RECENT;
+    sizes[3] = AC_SHRINKING;
 }

@@ -30,7 +30,7 @@ void ac_cruise_init(ac_cruise *c, double *doubles);
  * to the caller: after AC_EVENT, and after AC_REACHED with `next` reached, the event is still to come. AC_CROWDED: events
  * accumulate. Else as `ac_sweep`. */
 int ac_cruise_on(ac_cruise *c, const double *grid, int count, double stop, ac_long budget, int *done);
-/* The sizes of ac_event and ac_cruise. */
+/* The sizes of ac_event and ac_cruise, AC_RECENT, AC_SHRINKING. */
 void ac_cruise_sizes(int *sizes);
 
 #endif

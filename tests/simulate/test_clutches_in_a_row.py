@@ -49,7 +49,10 @@ end Row;"""
     [(5, "rodas", 2e-5), (5, "cvode", 2e-5), (10, "rodas", 2e-5), (10, "heun", 5e-4)],
 )
 def test_momentum_through_all_events(count: int, solver: str, close: float) -> None:
-    """`sum(J*w)` is what the drive brought, while every clutch locks and is free."""
+    """`sum(J*w)` is what the drive brought, while every clutch locks and is free.
+
+    `close`: Heun's own error in the drive's integral at steps of 6 ms.
+    """
     result = (
         acausal.loads(ROW.replace("n = 5", f"n = {count}"))
         .compile()

@@ -126,8 +126,10 @@ def test_rows_of_narrow_blocks_are_complete(monkeypatch: pytest.MonkeyPatch) -> 
     assert (np.diff(parts.time) >= 0).all()
 
 
-def test_structures_have_the_sizes_of_the_headers() -> None:
-    sizes = (ctypes.c_int * 2)()
+def test_structures_and_counts_are_those_of_the_headers() -> None:
+    """Python's arrays have `RECENT` places: C would write past them if it counted on more."""
+    sizes = (ctypes.c_int * 4)()
     event_binding.EventRunTime(binding.RunTime().library).sizes(ctypes.addressof(sizes))
     mirrored = (event_binding.EventStructure, event_binding.CruiseStructure)
-    assert list(sizes) == [ctypes.sizeof(structure) for structure in mirrored]
+    counts = [event_binding.RECENT, event_binding.SHRINKING]
+    assert list(sizes) == [*(ctypes.sizeof(structure) for structure in mirrored), *counts]
