@@ -90,16 +90,28 @@ def simulate(
         events=events,
         compiled=compiled,
     )
-    began = process_time()
-    if standing is None:
-        point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
-    else:
-        options = resumed(options, standing)
-        point = resume(code, standing, parameters, inputs, options.stop_time)
-    point = replace(point, cpu_seconds=process_time() - began)
+    options, point = _started(code, options, standing, parameters, start, inputs)
     if store is not None and not isinstance(store, Store):
         store = Store(Path(store), None if variables is None else tuple(variables))
     return integrate(point, options, keep, store, standing, progress)
+
+
+def _started(
+    code: Code,
+    options: Options,
+    after: Standing | None,
+    parameters: Mapping[str, Override] | None,
+    start: Mapping[str, float] | None,
+    inputs: Mapping[str, InputValue] | None,
+) -> tuple[Options, InitialPoint]:
+    """The initial point with what it took, and the options of a run that begins there."""
+    began = process_time()
+    if after is None:
+        point = initialize(code, options.start_time, parameters, start, inputs, options.stop_time)
+    else:
+        options = resumed(options, after)
+        point = resume(code, after, parameters, inputs, options.stop_time)
+    return options, replace(point, cpu_seconds=process_time() - began)
 
 
 def standing_after(after: After) -> Standing:
